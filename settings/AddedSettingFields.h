@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What is said of a setting that is to be added. */
+/** The description of a setting that is to be added. */
 struct FAddedSetting
 {
 	std::string Name;
@@ -27,7 +27,7 @@ struct FAddedSetting
 
 /** Adds a field behind those of the table, for all that reads GetSettingFields(): from one to the next registration
  * references to fields and their indices hold. Returns its number, never used again; 0 where it is refused: a name that
- * another setting has (DD2128), or what makes no sense (DD2129), which TakeSettingProblems tells. */
+ * another setting has (DD2128), or values that make no sense (DD2129); TakeSettingProblems reports the reason. */
 DRYDOCK_API uint32 AddSettingField(const FAddedSetting& Setting);
 
 /** Values of it that settings objects have are forgotten with them. 0 does nothing. */

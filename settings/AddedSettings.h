@@ -1,4 +1,4 @@
-// Where a settings object keeps the values of settings that plugins have added (AddedSettingFields.h).
+// Stores a settings object's values of settings that plugins have added (AddedSettingFields.h).
 #pragma once
 
 #include "PostProcessSettingsValue.h"

@@ -1,5 +1,5 @@
-// What a settings object gives to a view beside single values: a colour table, an ambient cubemap, blendables. Source:
-// engine FSceneView::OverridePostProcessSettings and FinalPostProcessSettings.h.
+// Blends the parts of a settings object that are not single values: a colour table, an ambient cubemap, blendables.
+// Source: engine FSceneView::OverridePostProcessSettings and FinalPostProcessSettings.h.
 #pragma once
 
 #include "PostProcessSettings.h"

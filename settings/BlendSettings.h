@@ -44,7 +44,7 @@ struct FNonFiniteSetting
 	std::string Setting;
 };
 
-/** Where a place is to a volume. */
+/** The relation of a place to a volume. */
 struct FVolumeAtPlace
 {
 	size_t Volume = 0;              // index in FBlendInputs::Volumes
@@ -67,8 +67,8 @@ class DRYDOCK_API FSettingsBlender
 public:
 	explicit FSettingsBlender(FBlendInputs Inputs);
 
-	/** Location: cm. Ledger: empty, or null where nobody asks why. The result depends on nothing but the inputs, the
-	 * console variables and the location. */
+	/** Location: cm. Ledger: empty, or null if the reasons are not needed. The result depends on nothing but the
+	 * inputs, the console variables and the location. */
 	FBlendedSettings At(const FVector& Location, FBlendLedger* Ledger = nullptr) const;
 
 	/** All volumes in the order in which they are blended. */

@@ -1,4 +1,4 @@
-// A settings object made ready for blending: which fields it overrides is found once, not at every blend.
+// Prepares a settings object for blending: the fields that it overrides are found once, not at every blend.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

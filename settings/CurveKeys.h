@@ -18,7 +18,7 @@ DRYDOCK_API const std::vector<std::string>& GetCurveInterpNames();
 /** "linear(0 1, 2 3)". All keys of one mode, times ascending, values finite. */
 DRYDOCK_API std::string WriteCurveKeys(const FRichCurve& Curve);
 
-/** What WriteCurveKeys wrote, cubic ones with automatic tangents; empty for every other text. */
+/** Reads a text of WriteCurveKeys, cubic ones with automatic tangents; empty for every other text. */
 DRYDOCK_API std::optional<FRichCurve> ReadCurveKeys(const std::string& Text);
 
 /** The keys of a curve that was named by such a text; empty for null and for an asset, which nothing loads. */

@@ -1,7 +1,7 @@
-// What differs between the versions of engine 5: one row of data for each that drydock knows. A config's `engine`
-// chooses the row of a run, and the whole row goes to whatever obeys it. Which hooks and insertion points a version has
-// stands in Extensions/EngineHooks.h, by the same numbers. Source: engine 5.3 and 5.4, as far as they are described
-// publicly; what is said of the others is said beside the field.
+// Lists the differences between the versions of engine 5: one row of data for each version that drydock knows. A
+// config's `engine` chooses the row of a run, and the whole row goes to whatever obeys it. Extensions/EngineHooks.h
+// lists the hooks and insertion points of each version, by the same numbers. Source: engine 5.3 and 5.4, as far as they
+// are described publicly; sources for the others stand beside the field.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -21,8 +21,8 @@ struct FEngineProfile
 	 * of the shadows' own variable: a mistake of 5.3. It is not known of others, which therefore lack it. */
 	bool bShadowContrastOfHighlights = false;
 
-	/** Where bloom's setup pass runs, its ramp saturate((luminance - BloomThreshold) / 2) acts at a threshold of -1 and
-	 * below as well: so in 5.3 and before, as in engine 4. From 5.4 there is no ramp then. */
+	/** In bloom's setup pass the ramp saturate((luminance - BloomThreshold) / 2) acts at a threshold of -1 and below as
+	 * well: so in 5.3 and before, as in engine 4. From 5.4 there is no ramp then. */
 	bool bBloomRampWithoutThreshold = false;
 
 	/** LocalExposureHighlightThreshold and LocalExposureShadowThreshold act: from 5.4. Before, there are no such

@@ -1,6 +1,7 @@
-// From settings objects to the settings a view renders with: the beginning, overriding by weight, and the last word of
-// console variables, show flags and view extensions. Source: engine FSceneView::StartFinalPostprocessSettings,
-// OverridePostProcessSettings and EndFinalPostprocessSettings; the record of what was changed is drydock's.
+// Turns settings objects into the settings a view renders with: the defaults, overriding by weight, and the final
+// changes of console variables, show flags and view extensions. Source: engine
+// FSceneView::StartFinalPostprocessSettings, OverridePostProcessSettings and EndFinalPostprocessSettings; the record of
+// what was changed is drydock's.
 #pragma once
 
 #include "EngineProfile.h"
@@ -22,7 +23,7 @@ struct FSettingGate
 	std::string Reason;  // "ShowFlag.Bloom is off"
 };
 
-/** Defaults, with what r.DefaultFeature.* says of them in this version of the engine. Overrides nothing. */
+/** Defaults, with the values of r.DefaultFeature.* in this version of the engine. Overrides nothing. */
 DRYDOCK_API FFinalPostProcessSettings StartFinalPostProcessSettings(
 	FBlendLedger* Ledger = nullptr, const FEngineProfile& Engine = GetDefaultEngineProfile());
 
@@ -41,8 +42,8 @@ DRYDOCK_API std::vector<FSettingGate> EndFinalPostProcessSettings(
 DRYDOCK_API std::vector<FSettingGate> ApplyShowFlags(
 	FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FBlendLedger* Ledger = nullptr);
 
-/** What a view extension made of the settings in SetupView, after everything else. A value that is not finite is put
- * back to what it was. Returns what changed, and what was put back. */
+/** Records a view extension's changes of the settings in SetupView, after everything else. A value that is not finite
+ * is put back. Returns the values that changed, and those that were put back. */
 DRYDOCK_API std::vector<FSettingGate> RecordExtensionEdits(const FFinalPostProcessSettings& Before,
 	FFinalPostProcessSettings& After, const std::string& Extension, FBlendLedger* Ledger = nullptr);
 

@@ -1,4 +1,5 @@
-// A setting as its declaration in C++ needs it: from a line of the table, or one that is only thought of.
+// Describes a setting as its declaration in C++ needs it: from a line of the table, or a setting that does not exist
+// yet.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"
@@ -36,9 +37,9 @@ DRYDOCK_API FNewSetting DescribeNewSetting(const FSettingField& Field);
  */
 DRYDOCK_API const std::vector<std::string>& GetNewSettingTypes();
 
-/** What a new setting needs of arguments. Type: one of GetNewSettingTypes, `color` and the like accepted. Default: a
- * number, true or false, or components `1,1,1,1`; empty: zeros. On failure returns nothing, with what was expected in
- * OutError. */
+/** Makes a new setting from arguments. Type: one of GetNewSettingTypes; `color` and similar names are accepted.
+ * Default: a number, true or false, or components `1,1,1,1`; empty: zeros. On failure returns nothing, with what was
+ * expected in OutError. */
 DRYDOCK_API std::optional<FNewSetting> MakeNewSetting(
 	const std::string& Name, const std::string& Type, const std::string& Default, std::string& OutError);
 

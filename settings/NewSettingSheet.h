@@ -1,6 +1,6 @@
-// Every place that an engine patch for one setting touches, as text to carry over: from the table's line, or from what
-// a new setting would have there. Names of files, structs and macros: engine 5.4; which places there are: the
-// toon-bloom article and the engine's rules for settings.
+// Writes every place that an engine patch for one setting touches, as text to copy: from the table's line, or from that
+// of a new setting. Names of files, structs and macros: engine 5.4; which places there are: the toon-bloom article and
+// the engine's rules for settings.
 #pragma once
 
 #include "NewSetting.h"

@@ -20,7 +20,7 @@
 namespace Drydock
 {
 
-/** What may be said of a setting beside its name and default. */
+/** The optional description of a setting, beside its name and default. */
 struct FPostProcessSettingInfo
 {
 	double Min = -std::numeric_limits<double>::infinity(); // of each component; what passes it is warned of, not cut
@@ -59,7 +59,7 @@ public:
 	TPostProcessSetting(const TPostProcessSetting&) = delete;
 	TPostProcessSetting& operator=(const TPostProcessSetting&) = delete;
 
-	/** The default where nobody gave a value. */
+	/** The setting's value; the default if none was given. */
 	T Get(const FPostProcessSettings& Settings) const
 	{
 		const FAddedSettings::FEntry* const Entry = Settings.AddedSettings.Find(Id);

@@ -69,7 +69,7 @@ struct FPostProcessSettings
 	}
 };
 
-/** What the blendables of a view have pushed, one entry each. */
+/** The objects that a view's blendables have pushed, one entry each. */
 struct FBlendableEntry
 {
 	float Weight = 0.0f; // 0..1
@@ -130,8 +130,8 @@ private:
 	std::vector<std::shared_ptr<FBlendableEntry>> Entries; // whose addresses stay
 };
 
-/** What a view renders with, after defaults, volumes, camera, clamps and show flags. Beside the fields, of which each
- * has one value, it holds what cannot be merged into one: lists of contributions. */
+/** The settings that a view renders with, after defaults, volumes, camera, clamps and show flags. Beside the fields, of
+ * which each has one value, it holds what cannot be merged into one: lists of contributions. */
 struct FFinalPostProcessSettings : public FPostProcessSettings
 {
 	struct FCubemapEntry

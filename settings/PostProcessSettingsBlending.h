@@ -11,8 +11,8 @@
 namespace Drydock
 {
 
-/** Linear blending in the precision of the type: float settings blend in float, as in the engine. What overflows on the
- * way between two finite ends is computed without the difference. */
+/** Linear blending in the precision of the type: float settings blend in float, as in the engine. If the difference of
+ * two finite ends overflows, the blend is computed without it. */
 template<typename T>
 T LerpNumber(T From, T To, float Weight)
 {

@@ -89,7 +89,7 @@ enum class EToonShadowBlurStore : uint8
 	SqrtEightBit, // R16F temporaries, square root in 8 bit: smooth
 };
 
-/** How the diffusion filter's blur meets the picture. */
+/** The way in which the diffusion filter combines its blur with the picture. */
 enum class EDiffusionFilterBlend : uint8
 {
 	Screen,

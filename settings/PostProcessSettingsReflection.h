@@ -42,7 +42,7 @@ struct FSettingField
 	std::function<void(FPostProcessSettings& Settings, const FSettingValue& Value)> Set;
 	std::function<bool(const FPostProcessSettings& Settings)> IsOverridden;
 	std::function<void(FPostProcessSettings& Settings, bool bOverridden)> SetOverridden;
-	/** Blends Source's value into Settings by the field's rule, whatever the override bit says. Weight: 0..1; 1 assigns
+	/** Blends Source's value into Settings by the field's rule, whatever the override bit is. Weight: 0..1; 1 assigns
 	 * exactly; 0 and NaN do nothing, nor does a source that is not finite. */
 	std::function<void(FPostProcessSettings& Settings, const FPostProcessSettings& Source, float Weight)> BlendFrom;
 	/** The same without the field's rule: linear where the type interpolates, else Source's value. */
@@ -50,7 +50,7 @@ struct FSettingField
 	/** The object of a path, null for "None"; null pointer where ObjectClass is empty. */
 	UObject* (*FindOrAddObject)(const std::string& Path);
 
-	/** Of a setting that a plugin added (AddedSettings.h); 0: of the table. */
+	/** Id of a setting that a plugin added (AddedSettings.h); 0: the setting is in the table. */
 	uint32 AddedId = 0;
 
 	/** 1 for numbers, 4 for colours, ..., 0 for objects. */

@@ -1,6 +1,6 @@
 // The one list of post-process settings. Members, override bits, reflection, blending, JSON, `--pp`, the config schema
 // and `drydock list settings` all come from here: adding a setting is one line. Included several times, hence no guard;
-// each time DRYDOCK_SETTING says what becomes of a line.
+// each time DRYDOCK_SETTING defines what a line becomes.
 //
 //   DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc)
 //   DRYDOCK_SETTING_BIT(Type, Name, Bit, Default, ...)   where the override bit is not bOverride_Name
@@ -14,8 +14,8 @@
 // Blend     what a volume of some weight does with it: ESettingBlend
 //
 // Sources. Names and defaults: engine FPostProcessSettings 5.4; some fields are older or younger, so that a volume's
-// full export is understood, and say so. Ranges: the editor's, as far as known. What a line calls "drydock" is chosen
-// here.
+// full export is understood, and are marked so. Ranges: the editor's, as far as known. Values that a line calls
+// "drydock" are chosen here.
 
 // clang-format off
 

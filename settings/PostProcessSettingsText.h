@@ -3,8 +3,8 @@
 // not have is kept as text and written again in its place.
 //
 // The engine writes six decimals. They hold every float that was typed with up to six decimals, and every float from 16
-// up; another one (1e-7, one third) comes back rounded, and WriteSettingsText says so. Doubles (vectors) hold what was
-// typed with up to six decimals. Source: engine text of pasted properties.
+// up; another one (1e-7, one third) comes back rounded, and WriteSettingsText reports it. Doubles (vectors) hold what
+// was typed with up to six decimals. Source: engine text of pasted properties.
 #pragma once
 
 #include "PostProcessSettingsTextTree.h"
@@ -32,17 +32,17 @@ struct FSettingsText
 	std::vector<FUnknownSetting> Unknown; // in the order of the text
 };
 
-/** The settings of a struct's tree, over the defaults. Everything wrong is reported; Where is put before the names of
- * fields ("PostProcessVolume_0."). A value whose override bit is off is kept and reported once for all of them, unless
- * it is the default, as in full exports. */
+/** The settings of a struct's tree, over the defaults. Everything wrong is reported, with the text Where before the
+ * names of fields ("PostProcessVolume_0."). A value whose override bit is off is kept and reported once for all of
+ * them, unless it is the default, as in full exports. */
 DRYDOCK_API FSettingsText ReadSettingsStruct(
 	const FEngineTextValue& Struct, const std::string& Where, FSettingsTextMessages& Messages);
 
-/** Reads `(...)`. File names the text in messages. Where one of Diagnostics is an error the result is incomplete. */
+/** Reads `(...)`. File names the text in messages. The result is incomplete if one of Diagnostics is an error. */
 DRYDOCK_API FSettingsText ReadSettingsText(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 
-/** Which fields are written. */
+/** The fields that are written. */
 enum class ESettingsTextForm
 {
 	Delta, // override bits that are on, with their values, and values that are not the defaults
@@ -54,7 +54,7 @@ enum class ESettingsTextForm
 DRYDOCK_API std::string WriteSettingsText(
 	const FSettingsText& Settings, ESettingsTextForm Form, std::vector<FDiagnostic>& Diagnostics);
 
-/** What the engine did to settings saved before convolution bloom had an intensity of its own: with BM_FFT and an
+/** Upgrades settings saved before convolution bloom had an intensity of its own, as the engine does: with BM_FFT and an
  * intensity above 0, the intensities that are given become 1. Returns their names. Source: engine Scene.cpp
  * (PostSerialize), the toon-bloom article. */
 DRYDOCK_API std::vector<std::string> UpgradeSettings(FPostProcessSettings& Settings);

@@ -11,7 +11,7 @@ namespace Drydock
 /** The one field of FPostProcessSettings that is not in the table. */
 inline constexpr const char* BlendablesName = "WeightedBlendables";
 
-/** Names with the place of the first one; says twenty of them. */
+/** Names with the place of the first one; the text lists twenty of them. */
 class FSettingNameList
 {
 public:

@@ -1,4 +1,4 @@
-// What the readers of engine text share: words, spaces, what stands where.
+// Declares what the readers of engine text share: words, spaces, descriptions of a place.
 #pragma once
 
 #include "PostProcessSettingsTextErrors.h"
@@ -11,7 +11,7 @@ namespace Drydock
 /** Moves Offset over spaces, and over line breaks too. */
 void SkipEngineTextSpace(const std::string& Text, size_t& Offset);
 
-/** What stands at Offset, for messages: `'='`, `abc`, `the end of the text`. */
+/** Describes the text at Offset, for messages: `'='`, `abc`, `the end of the text`. */
 std::string DescribeEngineTextAt(const std::string& Text, size_t Offset);
 
 /** Whether a bare word ends before this: space, quote or one of `(),=[]`. */

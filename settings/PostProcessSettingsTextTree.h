@@ -50,8 +50,9 @@ struct FEngineTextItem
 };
 
 /** Reads the value that begins at Offset, after spaces and line breaks, and moves Offset behind it. A syntax error is
- * one message; then the result is false and Offset stands where the reader stopped. Where names the value in messages.
- */
+ * one message; then the result is false and Offset stands where the reader stopped. The text Where names the value in
+ * messages.
+ * */
 DRYDOCK_API bool ParseEngineText(const std::string& Text, size_t& Offset, const std::string& Where,
 	FEngineTextValue& OutValue, FSettingsTextMessages& Messages);
 

@@ -1,4 +1,4 @@
-// What the table's C++ types are as FSettingValue: Pack and Store are inverses, bit for bit. For
+// Converts the table's C++ types to FSettingValue and back: Pack and Store are inverses, bit for bit. For
 // PostProcessSettingsReflection.cpp.
 #pragma once
 
@@ -152,7 +152,7 @@ struct TObjectSettingTraits : FSettingTraitsBase
 {
 	static constexpr ESettingType Type = ESettingType::Object;
 	static FSettingValue Pack(const TObjectPtr<T>& Value) { return {Type, {}, Value.Get()}; }
-	/** An object of another class is no value of this type: null. */
+	/** An object of another class is not a value of this type: the target becomes null. */
 	static void Store(TObjectPtr<T>& Target, const FSettingValue& Value) { Target = Cast<T>(Value.Object); }
 };
 

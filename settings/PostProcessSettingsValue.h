@@ -1,5 +1,4 @@
-// A value of the settings table without its C++ type, and the names of what a field can be: its type, its way of
-// blending.
+// Holds a value of the settings table without its C++ type, and the names of a field's type and way of blending.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -22,7 +21,7 @@ enum class ESettingType : uint8
 	ColorArray, // eight colours
 };
 
-/** What a settings object of some weight does with a field it overrides. */
+/** The way a settings object of some weight changes a field it overrides. */
 enum class ESettingBlend : uint8
 {
 	Lerp,          // component-wise, linear; weight 1 assigns exactly
@@ -31,10 +30,10 @@ enum class ESettingBlend : uint8
 	FocalDistance, // assigned where either side is 0 (switched off), else Lerp
 	Accumulate,    // a contribution of its own beside all others (ambient cubemap): a list of the final settings holds
 				   // it, and the field itself does not move
-	LUT,           // likewise (ColorGradingLUT, ColorGradingIntensity): contributions share a weight of 1 by LerpTo
+	LUT,           // also a list (ColorGradingLUT, ColorGradingIntensity): contributions share a weight of 1 by LerpTo
 };
 
-/** Of eight colours. */
+/** Enough for eight colours. */
 constexpr int32 MaxSettingComponents = 32;
 
 /** A value of any type of the table. Exact for all of them: numbers in doubles; bool 0 or 1; enum its number;

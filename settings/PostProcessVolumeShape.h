@@ -35,7 +35,8 @@ public:
 
 	EVolumeShape GetType() const { return Type; }
 
-	/** Of the nearest point of the solid, cm: 0 inside, exact but for rounding, and what is below rounding is 0. */
+	/** Distance to the nearest point of the solid, cm: 0 inside, exact but for rounding; a distance below rounding is
+	 * 0. */
 	double GetDistance(const FVector& Point) const;
 
 private:

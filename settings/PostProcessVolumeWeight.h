@@ -1,4 +1,5 @@
-// How strongly a volume acts at a distance, or why it does not. Source: engine World.cpp; the reasons are drydock's.
+// Computes a volume's weight at a distance, or the reason why it has none. Source: engine World.cpp; the reasons are
+// drydock's.
 #pragma once
 
 #include "Interfaces/Interface_PostProcessVolume.h"

@@ -24,8 +24,8 @@ struct FScalabilityRow
 /** All variables of PostProcessQuality. */
 DRYDOCK_API const std::vector<FScalabilityRow>& GetPostProcessQualityRows();
 
-/** Sets the group's variables as ECVF_SetByScalability; one that somebody else has set keeps its value, with the
- *  engine's warning. Level is clamped to 0..4. */
+/** Sets the group's variables as ECVF_SetByScalability; a variable that another source has set keeps its value, with
+ * the engine's warning. Level is clamped to 0..4. */
 DRYDOCK_API void ApplyPostProcessQuality(int32 Level);
 
 } // namespace Drydock

@@ -15,15 +15,15 @@ namespace Drydock
 DRYDOCK_API UTexture2D* FindOrAddTexture(const std::string& Path);
 DRYDOCK_API UTextureCube* FindOrAddTextureCube(const std::string& Path);
 DRYDOCK_API UCurveFloat* FindOrAddCurve(const std::string& Path);
-/** For blendables, which may be of any class. */
+/** Finds or adds an object for blendables, which may be of any class. */
 DRYDOCK_API UObject* FindOrAddObject(const std::string& Path);
 
 /** "None" for null; the name of an object that was not made here. Any thread. */
 DRYDOCK_API std::string GetObjectPath(const UObject* Object);
 
 /** `/Game/A.A` as it is; `Texture2D'/Game/A.A'` and `/Script/Engine.Texture2D'"/Game/A.A"'` without their class, as the
- * engine writes references. White space and quotes around a path are no part of it; what comes back strips to itself.
- */
+ * engine writes references. White space and quotes around a path are not part of it; the result strips to itself.
+ * */
 DRYDOCK_API std::string StripObjectClass(const std::string& Reference);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// How console variables and show flags change settings: each change is returned as a gate and written to the ledger.
+// Changes settings by console variables and show flags: each change is returned as a gate and written to the ledger.
 // For the FinalPostProcessSettings*.cpp files.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace Drydock
 {
 
-/** Who changes a setting, and the words for it. */
+/** The source that changes a setting, and the words for it. */
 struct FSettingsEdit
 {
 	EBlendSource Kind;

@@ -1,4 +1,4 @@
-// What a view shows: one bit per feature. Source: engine ShowFlags.h.
+// Lists the features that a view shows: one bit per feature. Source: engine ShowFlags.h.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,13 +1,12 @@
 // Bloom setup: keeps what is bright enough to bloom. Source: engine file PostProcessBloomSetup.h; toon bloom: the
 // article's patch of it.
 //
-// Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale,
-// amount = saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1 and the view's engine has no ramp then
-// (EngineProfile.h); result (amount * C * PreExposure, 0).
-// Local exposure multiplies C before the clamp.
-// Contract. Same extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the
-// other operand, as on a GPU), +Inf likewise; -Inf and negatives pass on until an unsigned store clips them. An input
-// without such values gives none.
+// Formula, per pixel: C = scene colour / PreExposure, C = min(C, 65536), L = luminance(C) * exposure scale, amount =
+// saturate((L - Threshold) / 2), or exactly 1 where Threshold <= -1 and the view's engine has no ramp then
+// (EngineProfile.h); result (amount * C * PreExposure, 0). Local exposure multiplies C before the clamp. Contract. Same
+// extent, rect and format as the input. NaN becomes 65536 * PreExposure before the ramp (min takes the other operand,
+// as on a GPU), and so does +Inf; -Inf and negatives pass on until an unsigned store clips them. An input without such
+// values gives none.
 //
 // Toon bloom (Toon given). Corrected: C of the result is that of the full-resolution colour whose toon pixels
 // are multiplied by ToonIntensity, downsampled like the input; the ramp stays that of the unmasked input. Without a
@@ -31,8 +30,8 @@ struct FBloomSetupInputs
 	FScreenPassTexture SceneColor;
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
-	/** In exposed luminance; -1 and below: no threshold. -infinity, NaN: none in engines whose ramp acts all the same,
-	 * either. */
+	/** Threshold in exposed luminance; -1 and below: no threshold. -infinity and NaN: no threshold either, even in
+	 * engines whose ramp acts at -1. */
 	float Threshold = -1.0f;
 	/** Not valid: none. */
 	Drydock::FLocalExposureTextures LocalExposure;
@@ -41,7 +40,7 @@ struct FBloomSetupInputs
 	 * textures' colour at the view's rect. With ToonBounds only what toon pixels reach is masked and downsampled anew,
 	 * and SceneColor must be that picture itself, or its AddDownsamplePass. */
 	std::optional<Drydock::FToonBloomInputs> Toon;
-	/** How SceneColor was downsampled. */
+	/** The quality that SceneColor was downsampled with. */
 	EDownsampleQuality DownsampleQuality = EDownsampleQuality::Low;
 };
 

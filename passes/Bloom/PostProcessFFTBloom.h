@@ -14,13 +14,13 @@
 // BloomConvolutionTexture None: "Builtin/Airy" (BuiltinTextures.h).
 //
 // Pre-filter, on luminance L in scene units: above BloomConvolutionPreFilterMin a pixel is scaled to the luminance
-// min(Mult * (L - Min) + Min, Max); not at all where Max <= Min. What it adds is not taken from the scene colour.
+// min(Mult * (L - Min) + Min, Max); not at all where Max <= Min. The added light is not taken from the scene colour.
 //
 // The transform is circular: the picture is padded by half of min(BloomConvolutionSize, BloomConvolutionBufferScale) of
 // its width (0 as a buffer scale: by half of the size), and what reaches farther comes in at the other side, as in the
-// engine. A line of picture and padding is at most 4096 long, or as long as the picture. Of padding and kernel the
-// transform holds no more than what reaches from one end of the picture to the other (2 * size - 1 pixels): the rest
-// moves energy out of the picture and is counted, not convolved with.
+// engine. A line of picture and padding is at most 4096 long, or as long as the picture. The transform limits padding
+// and kernel to what reaches from one end of the picture to the other (2 * size - 1 pixels): the rest moves energy out
+// of the picture and is counted, not convolved with.
 //
 // Contract. Bloom is PF_FloatRGBA (PF_A32B32G32R32F for such a scene colour), alpha 0, at r.Bloom.ScreenPercentage of
 // the view. Scene colour that is NaN, or below -65504, counts as 0; above 65504 (infinity too) as 65504; so the result
@@ -50,7 +50,7 @@ struct FFFTBloomInputs
 
 struct FFFTBloomOutput
 {
-	/** For the tonemapper to add, energy applied. */
+	/** The bloom for the tonemapper to add, energy applied. */
 	FScreenPassTexture BloomTexture;
 	/** Entry 0's rgb multiplies scene colour. */
 	FRDGBufferRef SceneColorApplyParameters = nullptr;

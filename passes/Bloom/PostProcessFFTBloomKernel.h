@@ -41,7 +41,8 @@ struct FBloomFFTKernel
 	float Size = 0.0f;
 	FVector2D CenterUV = FVector2D(0.0, 0.0);
 	FFFTDomain Domain;
-	/** What holds all of the kernel. The domain is smaller where parts of it are too far away to reach the picture. */
+	/** The size that holds all of the kernel. The domain is smaller where parts of it are too far away to reach the
+	 * picture. */
 	FIntPoint WholeSize = FIntPoint(0, 0);
 	/** r.Drydock.Storage. */
 	int32 Storage = 0;

@@ -1,4 +1,4 @@
-// Toon bloom: what is shaded as cloth (the toon mark) blooms with a strength of its own. Switches, and the passes that
+// Toon bloom: pixels shaded as cloth (the toon mark) bloom with a strength of their own. Switches, and the passes that
 // the corrected form adds in front of the bloom setup. Source: the article's engine patch, and its correction
 // (drydock).
 //
@@ -38,7 +38,8 @@ struct FToonBloomInputs
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Factor of toon pixels. */
 	float ToonIntensity = 1.0f;
-	/** Where toon pixels can be, from the corner of SceneColor's rect; not set: anywhere. Read by the bloom setup. */
+	/** Bounds of the pixels that can be toon, from the corner of SceneColor's rect; not set: anywhere. Read by the
+	 * bloom setup. */
 	std::optional<FIntRect> ToonBounds = std::nullopt;
 };
 

@@ -6,8 +6,8 @@
 //   Sizes: the small target is ceil-divided (as printed: truncated), never below 1x1, and mapped by UV, so that the
 //   centroid of a light stays where it is.
 //   NaN in a texel: NaN wherever a tap sees it. +Inf: Inf, and NaN where a tap of weight 0 sees it. Negative light:
-//   luminance below the threshold gives 0; a negative channel of a bright texel passes on; -Inf gives NaN. What picture
-//   and bloom add up to above 65504 is infinite in a half.
+//   luminance below the threshold gives 0; a negative channel of a bright texel passes on; -Inf gives NaN. A sum of
+//   picture and bloom above 65504 is infinite in a half.
 //   Alpha: the scene's own; the bloom carries none.
 //   Soft knee: with k = SoftKnee * max(Threshold, 0), the weight's L - Threshold is max(L - Threshold, s^2 / (4 k))
 //   with s = clamp(L - Threshold + k, 0, 2 k): no corner, and no jump as SoftKnee grows from 0, where the lesson's
@@ -61,7 +61,7 @@ struct FUnityBloomPassInputs
 	float Spread = 1.0f;
 	/** Composite. */
 	float Intensity = 1.0f;
-	/** Where to draw; a new texture like Source where invalid. */
+	/** The target to draw to; a new texture like Source where invalid. */
 	FScreenPassRenderTarget OverrideOutput;
 	bool bAsPrinted = false;
 };
@@ -90,7 +90,7 @@ struct FUnityBloomInputs
 	float Intensity = 1.0f;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.UnityBloom.AsPrinted. */
+	/** Makes the inputs from the settings and r.UnityBloom.AsPrinted. */
 	DRYDOCK_API static FUnityBloomInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };

@@ -26,10 +26,10 @@ public:
 	FDualKawaseBlur(const FAutoRegister& AutoRegister, float InOffset, int32 InPassNum, bool bInUseGaussian);
 
 	/** Levels and offset for this standard deviation, in pixels of the picture, in place of the given ones; 0: the
-	 * given ones. Where it cannot be reached, a remark on the graph says so. */
+	 * given ones. If the deviation cannot be reached, a remark on the graph reports it. */
 	void SetStandardDeviation(float InStandardDeviation) { StandardDeviation = InStandardDeviation; }
 
-	/** After which pass; the motion blur unless this is called. */
+	/** Sets the pass after which the blur runs; the motion blur unless this is called. */
 	void SetPass(EPostProcessingPass InPass) { Pass = InPass; }
 
 	void SubscribeToPostProcessingPass(

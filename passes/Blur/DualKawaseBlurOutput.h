@@ -1,4 +1,4 @@
-// Where the last pass of a blur writes. Internal to the files of the compute blurs.
+// Creates the target of a blur's last pass. Internal to the files of the compute blurs.
 #pragma once
 
 #include "RenderGraphBuilder.h"

@@ -42,7 +42,7 @@ struct FDualKawaseBlurInputs
 	int32 PassNum = 3;
 
 	/** The article's own form, for comparison: the first pass down is not smaller than the image, sizes are halved and
-	 * doubled truncating, so that rows and columns are lost (a remark on the graph says how many); taps are half a
+	 * doubled truncating, so that rows and columns are lost (a remark on the graph gives their number); taps are half a
 	 * pixel of each pass's output apart; a point sampler, clamped; the texture's extent for the rect; a UAV flag alone.
 	 * OverrideOutput is not honoured. The article prints its C++ and only describes its taps: they are Bjorge's. */
 	bool bAsPrinted = false;

@@ -1,5 +1,5 @@
-// How wide a dual Kawase blur is, and which number of levels and offset give a wanted width: pure functions in double,
-// no graph and no shader. Docs: docs/dual-kawase.md. The filter is Bjorge's, "Bandwidth-Efficient
+// Computes the width of a dual Kawase blur, and the number of levels and the offset for a wanted width: pure functions
+// in double, no graph and no shader. Docs: docs/dual-kawase.md. The filter is Bjorge's, "Bandwidth-Efficient
 // Rendering", SIGGRAPH 2015.
 //
 // Width is the standard deviation of the impulse response along one axis, in pixels of the blurred image, as the mean
@@ -26,7 +26,7 @@ constexpr int32 GDualKawaseMaxPasses = 8;
 constexpr double GDualKawaseBlockyOffset = 2.0;
 /** Largest offset that matching a width uses, where no more levels are to be had. */
 constexpr double GDualKawaseMaxOffset = 4.0;
-/** Steps of a texel that a bilinear sampler tells apart. */
+/** Steps of a texel that a bilinear sampler distinguishes. */
 constexpr double GSubtexelSteps = 256.0;
 
 // Sizes -------------------------------------------------------------------------------------------------------------
@@ -35,8 +35,9 @@ constexpr double GSubtexelSteps = 256.0;
  * side stays at least 2. So Num() - 1 levels run, none on an image less than 3 pixels wide or high. */
 DRYDOCK_API TArray<FIntPoint> GetDualKawaseLevelSizes(FIntPoint Size, int32 PassNum);
 
-/** What the article's code renders, pass by pass: PassNum times down, the first at full size, halving (truncating)
- * after each pass; then PassNum times up, doubling before each. Fewer where a side would become 0. */
+/** The sizes that the article's code renders, pass by pass: PassNum times down, the first at full size, halving
+ * (truncating) after each pass; then PassNum times up, doubling before each. There are fewer passes if a side would
+ * become 0. */
 DRYDOCK_API TArray<FIntPoint> GetDualKawasePrintedSizes(FIntPoint Size, int32 PassNum);
 
 /** Columns and rows that the article's result lacks: 22 at 1366 pixels and 5 passes. */

@@ -12,7 +12,7 @@ namespace Drydock
 constexpr int32 MaxFilterSamples = 128;
 constexpr int32 MaxFilterOffsets = MaxFilterSamples / 2; // two to a register
 
-/** Who gives the texels outside the filter's rect. */
+/** Source of the texels outside the filter's rect. */
 enum class ERectBorder : uint8
 {
 	Sampler, // the rect is the whole texture

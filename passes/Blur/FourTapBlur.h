@@ -42,7 +42,8 @@ struct FPyramidSetting
 	double LowStandardDeviation = 0.0; // of the Gaussian, in texels of the coarsest level
 };
 
-/** As many levels as leave the Gaussian 3.5 texels of the coarsest one, one at least where it leaves 0.75. */
+/** The setting with as many levels as leave the Gaussian 3.5 texels of the coarsest one, one at least where it leaves
+ * 0.75. */
 DRYDOCK_API FPyramidSetting GetPyramidSetting(double StandardDeviation);
 
 /** The same for a given number of levels: fewer where they would be wider than wanted. */
@@ -60,14 +61,15 @@ using FAddLowResolutionBlur =
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTexture& Input, const FPyramidSetting& Setting, FAddLowResolutionBlur Blur);
 
-/** With a separable Gaussian of 4 deviations. Of pictures between 0 and 1, borders included, the result is off a
- * Gaussian without end, which meets the edge texel beyond the rect, by at most 0.001 from a StandardDeviation of 7.2
- * on (3.5 texels of the coarsest level), 0.004 from 4 on, and 0.035 below; storage's rounding comes on top. Per axis
- * these are half the sums of |differences| of the two responses, 3.6e-4, 1.7e-3 and 1.7e-2. */
+/** The same with a separable Gaussian of 4 deviations. The reference is an infinite Gaussian, which reads the edge
+ * texel beyond the rect. For pictures between 0 and 1, borders included, the result differs from it by at most 0.001
+ * from a StandardDeviation of 7.2 on (3.5 texels of the coarsest level), 0.004 from 4 on, and 0.035 below; storage's
+ * rounding is added. Per axis these are half the sums of |differences| of the two responses, 3.6e-4, 1.7e-3 and 1.7e-2.
+ */
 DRYDOCK_API FScreenPassTexture AddPyramidBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, double StandardDeviation);
 
-/** Stretches Input's rect over a rect of this size by one bilinear tap, as who reads a coarse level does. */
+/** Stretches Input's rect over a rect of this size by one bilinear tap, as readers of a coarse level do. */
 DRYDOCK_API FScreenPassTexture AddBilinearStretchPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input, const FScreenPassTexture& Like);
 

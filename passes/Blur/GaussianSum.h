@@ -1,4 +1,4 @@
-// The bloom's sum of Gaussians made general: stages, sizes, tints and scale come from outside. Source: article
+// Generalizes the bloom's sum of Gaussians: the caller gives stages, sizes, tints and scale. Source: article
 // "Toon-shadow blur" (AddGaussianSumPasses, AddTextureGaussianSumPasses), after engine file PostProcessBloomSetup.cpp.
 //
 // From the coarsest level of a downsample chain to the finest: blur the level, times tint * TintScale, plus what came
@@ -39,7 +39,7 @@ struct FGaussianSumInputs
 	FLinearColor TintScale = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	/** Sharpness of the centre: positive in both directions, negative in the vertical one only. */
 	float Cross = 0.0f;
-	/** What lies outside: the edge texel, or black (the engine's bloom). */
+	/** The texels outside: the edge texel (true), or black (the engine's bloom). */
 	bool bClampAddressing = false;
 };
 

@@ -1,4 +1,4 @@
-// Whether the weights of a blur are those of a blur: a wrong table costs an evening in the engine and a look here.
+// Checks that the weights of a blur form a blur: a wrong table, hard to find in the engine, is reported here.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -11,16 +11,16 @@ class FRDGBuilder;
 namespace Drydock
 {
 
-/** What the weights of one direction do. */
+/** Properties of the weights of one direction. */
 struct FKernelAudit
 {
-	/** What a pass multiplies the light by. */
+	/** The factor by which a pass multiplies the light. */
 	double Sum = 0.0;
 	bool bFinite = true;
 	bool bNegative = false;
 	/** Equal on both sides of the middle, within 1e-6 of the largest. */
 	bool bSymmetric = true;
-	/** Never rises away from the middle, likewise. */
+	/** Never rises away from the middle by more than 1e-6 of the largest. */
 	bool bOneLobe = true;
 
 	/** Finite, not negative, symmetric, one lobe, and a sum within 1e-3 of 1. */
@@ -39,8 +39,8 @@ enum class EKernelFault
 	Printed, // it is faulty as its article prints it, and kept so
 };
 
-/** For passes that have a table of weights: refuses a faulty kernel (throws FError DD2101, exit code 2), or, where it
- * is declared, leaves a warning on the graph (DD2100). Name: "RED blur". */
+/** Checks the kernel of a pass that has a table of weights: refuses a faulty kernel (throws FError DD2101, exit code
+ * 2), or, where it is declared, leaves a warning on the graph (DD2100). Name: "RED blur". */
 DRYDOCK_API void CheckKernel(
 	FRDGBuilder& GraphBuilder, const std::string& Name, const std::vector<double>& Weights, EKernelFault Declared);
 

@@ -22,7 +22,7 @@ struct FMatchedGaussianBlurInputs
 	/** Pixels, at least 0.5. */
 	double StandardDeviation = 1.0;
 
-	/** Where the taps end, in standard deviations, above 0. */
+	/** The distance where the taps end, in standard deviations, above 0. */
 	double ReachInDeviations = 3.0;
 
 	/** Rows, then columns, in two passes. Else in one, as the article does it: (2 R + 1)^2 taps, R standard deviations
@@ -30,9 +30,9 @@ struct FMatchedGaussianBlurInputs
 	bool bSeparable = false;
 };
 
-/** The Gaussian to compare with: its taps at texel centres, reach 3 standard deviations unless told, the variance that
- * the cut tails lack made up for; clamp addressing. Extent, rect, format and the rules for constants, NaN and
- * infinities are those of the corrected blur. */
+/** The Gaussian to compare with: its taps at texel centres, reach 3 standard deviations by default, corrected for the
+ * variance of the cut tails; clamp addressing. Extent, rect, format and the rules for constants, NaN and infinities are
+ * those of the corrected blur. */
 DRYDOCK_API FScreenPassTexture AddMatchedGaussianBlurPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMatchedGaussianBlurInputs& Inputs);
 

@@ -20,7 +20,7 @@ class FViewInfo;
 namespace Drydock
 {
 
-/** One bilinear tap that stands for two neighbouring texels. */
+/** One bilinear tap that replaces two neighbouring texels. */
 struct FGaussianTap
 {
 	double Offset = 0.0; // in texels; never NaN
@@ -33,13 +33,13 @@ DRYDOCK_API int32 GetFilterSampleCountMax();
 /** The radius that sets the kernel's width, in texels: the wanted one within 1e-5 .. SampleCountMax - 1. */
 DRYDOCK_API float GetClampedKernelRadius(int32 SampleCountMax, float KernelRadius);
 
-/** How far taps reach: the clamped radius times r.Filter.SizeScale (0.1..10), rounded up. */
+/** The reach of taps: the clamped radius times r.Filter.SizeScale (0.1..10), rounded up. */
 DRYDOCK_API int32 GetIntegerKernelRadius(int32 SampleCountMax, float KernelRadius);
 
 /** The kernel exp(-16.7 (x / R)^2), sigma 0.17303 R, sampled at the integers of the reach R' and folded two by two from
  *  -R' up: R' + 1 taps. CrossCenterWeight c sharpens the centre: 0 < c <= 1 blends with a triangle of half-width 1,
- * above 1 takes the triangle to the power c. Where both texels of a pair weigh nothing, the tap stays on its first
- * texel. Empty when KernelRadius is not a number. */
+ * above 1 takes the triangle to the power c. If both texels of a pair weigh nothing, the tap stays on its first texel.
+ * Empty when KernelRadius is not a number. */
 DRYDOCK_API TArray<FGaussianTap> ComputeGaussianKernel(
 	int32 SampleCountMax, float KernelRadius, float CrossCenterWeight = 0.0f);
 
@@ -72,7 +72,7 @@ struct FGaussianBlurInputs
 	/** Diameter of the kernel in percent of the filter's width. */
 	float KernelSizePercent = 0.0f;
 
-	/** What lies outside: the image's mirror, or black. */
+	/** Texels outside are the image's mirror (true), or black. */
 	bool UseMirrorAddressMode = false;
 
 	/** drydock: what lies outside is the edge texel, so that a constant stays constant; before the mirror. */

@@ -1,4 +1,4 @@
-// The exposure of passes that a config inserts by name: a parameter of theirs, and the buffer that it stands for.
+// Provides the exposure of passes that a config inserts by name: their parameter, and the buffer made from it.
 #pragma once
 
 #include "Exposure/PostProcessEyeAdaptation.h"

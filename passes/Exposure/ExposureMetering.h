@@ -1,4 +1,4 @@
-// Reading luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
+// Reads luminance on the CPU as PostProcessHistogramCommon.ush does on lanes, in double. Source: engine file
 // PostProcessHistogramCommon.ush (formulas).
 #pragma once
 
@@ -53,7 +53,8 @@ struct FBucketShare
 	double SecondWeight = 0.0;
 };
 
-/** At least two buckets. What is below the range, and a position that is no number, counts in the first. */
+/** Shares a luminance between two buckets; there are at least two. Values below the range, and a position that is NaN,
+ * count in the first. */
 inline FBucketShare ShareBetweenBuckets(double LogLuminance, double Scale, double Bias, int32 NumBuckets)
 {
 	const double Place = LogLuminance * Scale + Bias;

@@ -1,6 +1,6 @@
-// The eye-adaptation buffer: what exposure the frame has. Made from a given scale, from the camera's settings (manual),
-// or metered: from a histogram of log2 luminance (PostProcessHistogram.h) or from its average (basic); then it adapts
-// from last frame's buffer. Source: engine file PostProcessEyeAdaptation.h.
+// Makes the eye-adaptation buffer, which holds the frame's exposure. Made from a given scale, from the camera's
+// settings (manual), or metered: from a histogram of log2 luminance (PostProcessHistogram.h) or from its average
+// (basic); then it adapts from last frame's buffer. Source: engine file PostProcessEyeAdaptation.h.
 //
 // An average luminance A, in scene units, gives the target T = clamp(A, Min, Max) / 0.18. Last frame's exposure value
 // Compensation / scale moves towards it in log2: by time * speed while it is farther than r.EyeAdaptation.
@@ -39,7 +39,7 @@ DRYDOCK_API FRDGBufferRef CreateManualEyeAdaptationBuffer(
 
 } // namespace Drydock
 
-/** What both ways of metering start from. */
+/** The inputs of both ways of metering. */
 struct FEyeAdaptationInputs
 {
 	FEyeAdaptationParameters Parameters;

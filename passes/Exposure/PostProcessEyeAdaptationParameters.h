@@ -1,4 +1,4 @@
-// What settings and console variables say about metering and adapting the exposure: parameters of the shaders of
+// Turns settings and console variables into the parameters of metering and adapting the exposure, for the shaders of
 // PostProcessEyeAdaptation.h and of local exposure. Source: engine file PostProcessEyeAdaptation.h.
 #pragma once
 
@@ -9,10 +9,10 @@
 class FViewInfo;
 struct FFinalPostProcessSettings;
 
-/** What metering and adaptation work with. Luminances in scene units. */
+/** Parameters of metering and adaptation. Luminances are in scene units. */
 BEGIN_SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, DRYDOCK_API)
 	SHADER_PARAMETER(float, ExposureLowPercent)  // 0.01 .. 0.99
-	SHADER_PARAMETER(float, ExposureHighPercent) // likewise, at least the low one
+	SHADER_PARAMETER(float, ExposureHighPercent) // 0.01 .. 0.99, at least the low one
 	SHADER_PARAMETER(float, MinAverageLuminance)
 	SHADER_PARAMETER(float, MaxAverageLuminance)
 	SHADER_PARAMETER(float, ExposureCompensationSettings) // 2^bias
@@ -30,7 +30,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, DRYDOCK_API)
 	SHADER_PARAMETER(float, ForceTarget) // 1: no adaptation
 END_SHADER_PARAMETER_STRUCT()
 
-/** What the settings and r.EyeAdaptation.MethodOverride, r.EyeAdaptationQuality say. */
+/** The method that the settings and r.EyeAdaptation.MethodOverride, r.EyeAdaptationQuality choose. */
 DRYDOCK_API EAutoExposureMethod GetAutoExposureMethod(const FFinalPostProcessSettings& Settings);
 
 /** Time is that of View.Family. bForceTarget: there is no last frame to start from. ExposureCompensationCurve is that
@@ -54,12 +54,12 @@ DRYDOCK_API float GetEyeAdaptationLuminanceMax();
 /** The EV100 of a luminance in scene units. */
 DRYDOCK_API float LuminanceToEV100(float Luminance);
 
-/** 2 to what AutoExposureBiasCurve says at the EV100 of an average luminance; 1 where the curve has no keys
+/** 2 to the power of AutoExposureBiasCurve at the EV100 of an average luminance; 1 where the curve has no keys
  * (CurveKeys.h) or the luminance is not above 0. Above 0 and finite. */
 DRYDOCK_API float GetExposureCompensationFromCurve(const FFinalPostProcessSettings& Settings, float AverageLuminance);
 
 /** log2 luminance of both ends of the histogram's range, within -60 .. 60 and x below y by 1 at least, whatever the
- * settings say: where they are an empty or inverted range, y is theirs. Of basic metering -10 and 20. */
+ * settings say: where they are an empty or inverted range, y is theirs. Basic metering has -10 and 20. */
 DRYDOCK_API FVector2f GetHistogramLogRange(const FFinalPostProcessSettings& Settings, EAutoExposureMethod Method);
 
 } // namespace Drydock

@@ -25,7 +25,7 @@ DRYDOCK_API FRDGTextureRef AddHistogramPass(FRDGBuilder& GraphBuilder, const FVi
 namespace Drydock
 {
 
-/** What AddHistogramPass wrote. */
+/** The histogram that AddHistogramPass wrote. */
 DRYDOCK_API std::array<double, GHistogramSize> ReadHistogram(FRHITexture& Texture);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// Local exposure: what is much brighter or darker than middle grey is brought nearer to it, without flattening details.
-// A base layer (a bilateral grid of log2 luminance, blended with a wide blur of it) says how bright a place is; the
+// Local exposure: brings areas much brighter or darker than middle grey nearer to it, without flattening details. A
+// base layer (a bilateral grid of log2 luminance, blended with a wide blur of it) gives the brightness of a place; the
 // distance of the base from middle grey is scaled, the detail above the base is kept. Bloom setup and tonemapper apply
 // the factor. Source: engine file PostProcessLocalExposure.h.
 //
@@ -45,7 +45,8 @@ END_SHADER_PARAMETER_STRUCT()
 namespace Drydock
 {
 
-/** What a shader with USE_LOCAL_EXPOSURE binds, under the name LocalExposure (PostProcessLocalExposureCommon.ush). */
+/** The parameters that a shader with USE_LOCAL_EXPOSURE binds, under the name LocalExposure
+ * (PostProcessLocalExposureCommon.ush). */
 BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER_STRUCT_INCLUDE(FLocalExposureParameters, Settings)
 	SHADER_PARAMETER(FVector2f, BilateralGridUVScale)
@@ -56,7 +57,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Blurred)
 END_SHADER_PARAMETER_STRUCT()
 
-/** What of a frame local exposure is applied with; not valid where it is off. */
+/** The textures of a frame that local exposure is applied with; not valid where it is off. */
 struct FLocalExposureTextures
 {
 	FLocalExposureParameters Parameters;

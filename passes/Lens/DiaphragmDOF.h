@@ -14,17 +14,17 @@
 // lets through the light of its number; a corner points up behind the focus and down before it (both drydock's choice).
 // r.DOF.Gather.EnableBokehSettings 0: a disc.
 //
-// DOF Setup: half size, colour and radius. DOF TileMax, NeighborMax: the largest radius that can reach a tile of 16
-// x 16. DOF Gather: the bokehs of all samples, each of the light and the opacity of what it stands for. Behind the
-// focus a pixel is the mean of what reaches it, where nothing reaches over what is nearer than itself; before the focus
-// what reaches it covers it. Where bokehs would cover a pixel more than once, those of what is nearer come first. What
-// lies behind something before the focus nobody knows: it is filled in from around. DOF Recombine: full size, mixed by
-// the radius; a pixel before the focus gives its own place away to the extent that it spreads over others. What the
-// engine has and this has not: scattered highlights, the slight out-of-focus pass, squeeze, Petzval, barrel, temporal
+// DOF Setup: half size, colour and radius. DOF TileMax, NeighborMax: the largest radius that can reach a tile of 16 x
+// 16. DOF Gather: the bokehs of all samples, each of the light and the opacity of what it stands for. Behind the focus
+// a pixel is the mean of what reaches it, where nothing reaches over what is nearer than itself; before the focus what
+// reaches it covers it. If bokehs would cover a pixel more than once, those of nearer things come first. The colour
+// behind something before the focus is unknown: it is filled in from around. DOF Recombine: full size, mixed by the
+// radius; a pixel before the focus gives its own place away to the extent that it spreads over others. These features
+// of the engine are missing: scattered highlights, the slight out-of-focus pass, squeeze, Petzval, barrel, temporal
 // accumulation. Samples lie on a grid of at most 17 x 17: above 16 pixels of radius they are farther apart than pixels,
 // and a single bright pixel shows the grid.
 //
-// Contract. Where no radius of half a pixel reaches, the picture is unchanged bit for bit. A constant stays constant.
+// Contract. The picture is unchanged bit for bit where no radius of half a pixel reaches. A constant stays constant.
 // Every result is a mix of input colours. A spot keeps its light, unless something nearer, or the picture's edge, hides
 // a part of it. A depth that is not finite or not above 0 counts as in focus. FocalDistance or Fstop 0 and below: no
 // pass. NaN, infinities and negatives go where the pixels that hold them go, and nowhere else: what is in focus keeps
@@ -79,8 +79,8 @@ struct FBokehModel
 
 	DRYDOCK_API static FBokehModel Compile(const FFinalPostProcessSettings& Settings);
 
-	/** Of a point as large as the offset whose bokeh just reaches there: 1 on the edge. The offset's y points down, to
-	 * a corner. */
+	/** Radius of the bokeh whose edge passes through this offset: 1 on the edge of the bokeh of radius 1. The offset's
+	 * y points down, to a corner. */
 	DRYDOCK_API double MeasureDistance(double X, double Y) const;
 };
 

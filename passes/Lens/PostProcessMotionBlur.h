@@ -12,7 +12,7 @@
 //       reach it
 // so that light of a thing that moves over a still background is neither gained nor lost, but for the sampling.
 //
-// Contract. Where nothing within reach moves by half a pixel, the picture is unchanged bit for bit. A constant stays
+// Contract. The picture is unchanged bit for bit where nothing within reach moves by half a pixel. A constant stays
 // constant. Every result is a mix of input colours: NaN, infinities and negatives go where the samples that hold them
 // go, and nowhere else. Velocities that are not finite count as 0. Nothing outside the rect is read. Any size from 1x1.
 #pragma once
@@ -53,7 +53,8 @@ struct FMotionBlurInputs
 	 */
 	float MaxLength = 0.0f;
 
-	/** From MotionBlurAmount, Max and TargetFPS; DeltaTime: of the frame, seconds; 0: that of the target. */
+	/** Makes the inputs from MotionBlurAmount, Max and TargetFPS; DeltaTime: of the frame, seconds; 0: that of the
+	 * target. */
 	DRYDOCK_API static FMotionBlurInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor, float DeltaTime);
 };

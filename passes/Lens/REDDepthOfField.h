@@ -6,7 +6,7 @@
 //   result = lerp(lerp(c, farBlur, far), nearBlur, near)
 // Depths in cm along the view's axis; both blurs run over rows, then columns, at half resolution.
 //
-// Contract. FocalDistance 0 and below, or NaN: no pass. Where near and far are 0 the picture is unchanged bit for bit.
+// Contract. FocalDistance 0 and below, or NaN: no pass. The picture is unchanged bit for bit where near and far are 0.
 // A transition of 0 is a step. Nothing outside the rects is read. Corrected: Gaussians; a constant picture stays
 // constant to the edge; the far layer is weighted by far before it is blurred and divided by the blurred weight after,
 // so that it does not gather pixels that are in focus; where nothing far is near, it is the picture itself. As printed
@@ -41,7 +41,7 @@ struct FREDDepthOfFieldInputs
 	float FarBlurSize = 1.0f;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.RED.AsPrinted. */
+	/** Makes the inputs from the settings and r.RED.AsPrinted. */
 	DRYDOCK_API static FREDDepthOfFieldInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };

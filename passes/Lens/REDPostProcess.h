@@ -9,8 +9,8 @@
 //   SoftFocus        lerp(luma(s), s, Saturation) of s = lerp(c, blurred, Blend)
 //   Glow             screen(c, blurred * GlowIntensity)
 //
-// The article's seven weights can be read in several ways (EREDBlurKernel). What a pass multiplies the light by, before
-// the corrected kernels are divided by it, and its width (standard deviation, texels of the blurred picture):
+// The article's seven weights can be read in several ways (EREDBlurKernel). The table lists the factor on the light, by
+// which the corrected kernels are divided, and the width (standard deviation, texels of the blurred picture):
 //   SevenTaps        0.9998  0.9977  W[i + 3], i = -3..3
 //   ThirteenTexels   0.9998  1.6820  the same, but for the middle one each weight is a bilinear fetch of two texels
 //   NineTaps         1.0000  0.9992  the half kernel of the article's comment: .3990 .2420 .0540 .0044 .0001
@@ -52,7 +52,8 @@ enum class EREDPostProcessPass : uint8
 	MAX
 };
 
-/** How the article's blur weights are read: r.RED.Kernel, but for Printed, which r.RED.AsPrinted brings. */
+/** The readings of the article's blur weights: r.RED.Kernel chooses one, except for Printed, which r.RED.AsPrinted
+ * chooses. */
 enum class EREDBlurKernel : uint8
 {
 	SevenTaps,
@@ -62,7 +63,7 @@ enum class EREDBlurKernel : uint8
 	MAX
 };
 
-/** What the passes need of the settings; each pass reads its own. */
+/** The settings that the passes need; each pass reads its own. */
 struct FREDPostProcessParameters
 {
 	float LuminancePow = 1.0f;
@@ -79,13 +80,13 @@ struct FREDPostProcessParameters
 	float GlowIntensity = 0.0f;
 	/** Taken off the luma before it weighs what glows, as in the extract; up to -1 all glows alike. */
 	float GlowLuminanceThreshold = -1.0f;
-	/** Of the corrected form. */
+	/** Kernel of the corrected form. */
 	EREDBlurKernel Kernel = EREDBlurKernel::SevenTaps;
 	/** The blur runs at a quarter of the resolution: DownSample twice. */
 	bool bQuarterResolution = false;
 	bool bAsPrinted = false;
 
-	/** From the settings and the console variables r.RED.*. */
+	/** Makes the parameters from the settings and the console variables r.RED.*. */
 	DRYDOCK_API static FREDPostProcessParameters FromSettings(const FFinalPostProcessSettings& Settings);
 
 	bool WantsDiffusionFilter() const { return DiffusionFilterIntensity > 0.0f; }
@@ -106,7 +107,7 @@ struct FREDPostProcessPassInputs
 	/** BlurH and BlurV: multiplies the distances of the taps. */
 	float BlurStep = 1.0f;
 	FREDPostProcessParameters Parameters;
-	/** Where to draw; a new texture where invalid. */
+	/** The target to draw to; a new texture where invalid. */
 	FScreenPassRenderTarget OverrideOutput;
 };
 
@@ -122,7 +123,7 @@ DRYDOCK_API FScreenPassTexture AddREDPostProcessPasses(FRDGBuilder& GraphBuilder
 	const FScreenPassTexture& SceneColor, const FREDPostProcessParameters& Parameters,
 	const FScreenPassRenderTarget& OverrideOutput = FScreenPassRenderTarget());
 
-/** Where the chain goes. */
+/** Position of the chain. */
 enum class EREDPostProcessInsertion : uint8
 {
 	BeforeTranslucency,

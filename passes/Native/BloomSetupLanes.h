@@ -1,4 +1,4 @@
-// The bloom setup for lanes: what of a pass's parameters a tile needs, as plain data.
+// Runs the bloom setup on lanes, from those of a pass's parameters that a tile needs, as plain data.
 //
 // Contract. Stored are the bits that PostProcessBloom.usf stores, for every lane width, tiling and thread count; a NaN
 // is a NaN, of any payload.

@@ -36,8 +36,8 @@ template<int N>
 struct TBoxSumLanes
 {
 	/** Pixels: of the target, inside it; each stands for the source's texel ToSource further on. Formats: floats of at
-	 *  most 32 bits. Gives, as bits, the groups of GRowsOfBoxGroup rows that are left to the shader: they read what is
-	 * no finite number and would spoil the sums beside it. At most 64 groups. */
+	 * most 32 bits. Returns, as bits, the groups of GRowsOfBoxGroup rows that are left to the shader: they read values
+	 * that are not finite, which would spoil the sums beside them. At most 64 groups. */
 	[[gnu::weak]] static uint64_t Run(const FBoxSum& Sum, const FKernelTexture& Target, const FKernelTile& Pixels,
 		int32_t ToSourceX, int32_t ToSourceY);
 };

@@ -1,4 +1,4 @@
-// Local exposure as the native kernels of the passes that apply it take it: PostProcessLocalExposureCommon.ush.
+// Applies local exposure in the native kernels of passes, as PostProcessLocalExposureCommon.ush does.
 #pragma once
 
 #include "Native/SampledTexture.h"

@@ -1,4 +1,4 @@
-// Between screen passes and lanes code that samples: viewports, textures and local exposure from a pass's parameters.
+// Connects screen passes with lanes code that samples: viewports, textures and local exposure from a pass's parameters.
 #pragma once
 
 #include "BoundShader.h"

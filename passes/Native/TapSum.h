@@ -44,7 +44,7 @@ struct FTap
 	float Weight[4] = {1.0f, 1.0f, 1.0f, 1.0f};
 };
 
-/** What coordinates outside a source's rect stand for. */
+/** The value of coordinates outside a source's rect. */
 enum class EBeyondRect : uint8_t
 {
 	Sampler, // the rect is the whole texture, and the sampler knows
@@ -85,7 +85,7 @@ bool SumTaps(
 /** Whether texels of this storage are floats of at most 32 bits in lanes. */
 bool HasFloatLanes(ETexelStorage Storage);
 
-/** What a shader gives its first target is stored as it is, and nobody counts taps. */
+/** Whether the shader's first target is stored as the shader gives it, and taps are not counted. */
 bool StoresPlainly(const FKernelArgs& Args);
 
 template<int N>

@@ -1,5 +1,5 @@
-// What the native kernels of blurs share: the pixels that a tile stands for, the axes of a screen pass, and the way
-// back to the shader.
+// Declares what the native kernels of blurs share: the pixels that a tile stands for, the axes of a screen pass, and
+// the way back to the shader.
 #pragma once
 
 #include "BoundShader.h"
@@ -10,17 +10,17 @@
 namespace Drydock
 {
 
-/** Where a tile of a screen shader is stored. */
+/** The place where a tile of a screen shader is stored. */
 struct FTapTarget
 {
 	const FKernelTexture* Texture = nullptr;
 	FKernelTile Pixels = {};
 };
 
-/** Of a pixel shader: its first target, pixel for pixel. */
+/** Target of a pixel shader: its first target, pixel for pixel. */
 FTapTarget GetPixelTarget(const FNativeKernelArgs& Args, const FKernelTile& Tile);
 
-/** Of a compute shader that stores thread (x, y) at Min + (x, y), below Max. */
+/** Target of a compute shader that stores thread (x, y) at Min + (x, y), below Max. */
 FTapTarget GetComputeTarget(
 	const FNativeKernelArgs& Args, const FKernelTile& Tile, const char* HlslName, FIntPoint Min, FIntPoint Max);
 

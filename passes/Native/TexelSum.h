@@ -19,7 +19,7 @@ struct FTexelSum
 	int32_t RectMin[2] = {0, 0};
 	int32_t RectMax[2] = {0, 0};
 	int32_t Axis = 0;
-	/** Of the texels at distance 0, 1, ..., Reach. */
+	/** Weights of the texels at distance 0, 1, ..., Reach. */
 	const float* Weights = nullptr;
 	int32_t Reach = 0;
 };

@@ -1,4 +1,5 @@
-// The tonemapper with its combined table for lanes: what of a pass's parameters a tile needs, as plain data.
+// Runs the tonemapper with its combined table on lanes, from those of a pass's parameters that a tile needs, as plain
+// data.
 //
 // Contract. Stored are the bits that PostProcessTonemap.usf stores, for every lane width, tiling and thread count; a
 // NaN is a NaN, of any payload.

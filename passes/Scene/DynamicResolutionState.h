@@ -7,7 +7,7 @@
 namespace DynamicRenderScaling
 {
 
-/** What a fraction is counted against; its address is its name. */
+/** The budget that a fraction is counted against; its address is its name. */
 struct FBudget
 {
 };
@@ -29,7 +29,7 @@ private:
 
 inline const DynamicRenderScaling::FBudget GDynamicPrimaryResolutionFraction;
 
-/** How a family chooses its resolution: 100 %. */
+/** Chooses the resolution of a family: 100 %. */
 class ISceneViewFamilyScreenPercentage
 {
 public:

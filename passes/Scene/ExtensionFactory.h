@@ -1,4 +1,4 @@
-// View extensions by name: what `"extensions": [{"type": "Tint", "pass": "Tonemap", ...}]` in a config can make. A type
+// Makes view extensions by name, for `"extensions": [{"type": "Tint", "pass": "Tonemap", ...}]` in a config. A type
 // registers a factory for as long as its library is loaded:
 //
 //     const Drydock::FExtensionFactoryRegistration GTint({
@@ -26,7 +26,7 @@ namespace Drydock
 /** Name of the hook that runs before the chain, beside those of EPostProcessingPass. */
 inline constexpr const char* PrePostProcessPassName = "PrePostProcessPass";
 
-/** What a factory makes an extension of. */
+/** The arguments from which a factory makes an extension. */
 struct FExtensionArguments
 {
 	/** A name of FExtensionFactory::Passes. */

@@ -1,4 +1,5 @@
-// What effects outside the renderer may ask of a view. Source: engine file FXRenderingUtils.h.
+// Declares the functions by which effects outside the renderer may query a view. Source: engine file
+// FXRenderingUtils.h.
 #pragma once
 
 #include "SceneRendering.h"

@@ -1,5 +1,5 @@
-// Parameters that a config gives to an extension or a pass: what there is (specs), and what was given (values). Plain
-// data; pipeline/ reads them from JSON and checks them against the specs.
+// Holds the parameters that a config gives to an extension or a pass: those that exist (specs), and those given
+// (values). Plain data; pipeline/ reads them from JSON and checks them against the specs.
 #pragma once
 
 #include "CoreMinimal.h"

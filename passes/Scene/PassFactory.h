@@ -15,7 +15,7 @@
 namespace Drydock
 {
 
-/** The input that is the picture at the hook unless the config says otherwise. */
+/** The input that is the picture at the hook, unless the config names another. */
 inline constexpr const char* PictureResource = "SceneColor";
 
 struct FPassInputSpec
@@ -25,7 +25,7 @@ struct FPassInputSpec
 	std::string Doc;
 };
 
-/** What a factory adds a pass of. */
+/** The arguments from which a factory adds a pass. */
 struct FPassArguments
 {
 	std::map<std::string, FScreenPassTexture> Inputs; // every one of the specs, valid

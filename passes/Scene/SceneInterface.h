@@ -1,4 +1,5 @@
-// The renderer's scene, as much as extensions ask of it: which world it shows. Source: engine file SceneInterface.h.
+// Declares the renderer's scene as far as extensions need it: the world that it shows. Source: engine file
+// SceneInterface.h.
 #pragma once
 
 #include "CoreMinimal.h"

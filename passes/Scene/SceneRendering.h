@@ -9,7 +9,7 @@
 
 class FSceneViewState;
 
-/** What volumetric fog has made: nothing here. */
+/** The textures of volumetric fog: none here. */
 struct FVolumetricFogViewResources
 {
 	FRDGTextureRef IntegratedLightScatteringTexture = nullptr;
@@ -28,7 +28,7 @@ public:
 	/** Compute entries in place of pixel shaders (r.PostProcessing.PreferCompute). */
 	bool bUseComputePasses = false;
 
-	/** What differs between engine versions: the row of the frame's. */
+	/** The differences between engine versions: the row of the frame's version. */
 	Drydock::FEngineProfile EngineProfile = Drydock::GetDefaultEngineProfile();
 
 	/** Camera matrices and times to start InitViewUniformBuffer from; pipeline/ fills them, defaults are neutral. */

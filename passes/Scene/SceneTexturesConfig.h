@@ -3,7 +3,7 @@
 
 #include "CoreMinimal.h"
 
-/** Which scene textures a uniform buffer holds; the others point to black dummies. */
+/** The scene textures that a uniform buffer holds; the others point to black dummies. */
 enum class ESceneTextureSetupMode : uint32
 {
 	None = 0,

@@ -19,7 +19,7 @@ class FSceneView;
 class FViewInfo; // SceneRendering.h
 class ISceneViewExtension;
 
-/** What shaders read as View.X. Lengths in centimetres, times in seconds, rects and extents in pixels. */
+/** The members that shaders read as View.X. Lengths in centimetres, times in seconds, rects and extents in pixels. */
 BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FMatrix44f, TranslatedWorldToClip)
 	SHADER_PARAMETER(FMatrix44f, TranslatedWorldToView)
@@ -110,7 +110,7 @@ struct FGameTime
 	float GetDeltaWorldTimeSeconds() const { return DeltaWorldTimeSeconds; }
 };
 
-/** What persists of a view from frame to frame; pipeline/ derives it. */
+/** The state of a view that persists from frame to frame; pipeline/ derives it. */
 class FSceneViewStateInterface
 {
 public:
@@ -125,7 +125,7 @@ class FSceneViewFamily
 public:
 	/** Not owned. */
 	TArray<const FSceneView*> Views;
-	/** Of the final picture; null outside of a frame. */
+	/** Target of the final picture; null outside of a frame. */
 	const FRenderTarget* RenderTarget = nullptr;
 	FEngineShowFlags EngineShowFlags;
 	/** The world's, in a frame. */
@@ -196,8 +196,8 @@ public:
 
 	FVector ViewLocation = FVector(0.0, 0.0, 0.0);
 
-	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then as much of
-	 * OverlayColor as its alpha says. */
+	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then blended
+	 * with OverlayColor by its alpha. */
 	FLinearColor ColorScale = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
 	FLinearColor OverlayColor = FLinearColor(0.0f, 0.0f, 0.0f, 0.0f);
 

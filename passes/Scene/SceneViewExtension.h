@@ -42,7 +42,7 @@ struct FMobilePostProcessingInputs;
 struct FPostProcessMaterialInputs;
 struct FPostProcessingInputs;
 
-/** What an extension wants of the renderer. */
+/** The wishes of an extension to the renderer. */
 enum class ESceneViewExtensionFlags : uint32
 {
 	None = 0,
@@ -51,7 +51,7 @@ enum class ESceneViewExtensionFlags : uint32
 };
 ENUM_CLASS_FLAGS(ESceneViewExtensionFlags)
 
-/** What an extension is asked about when it says whether it is active. */
+/** The context that an extension is asked with whether it is active. */
 class FSceneViewExtensionContext
 {
 public:
@@ -66,7 +66,7 @@ public:
 	}
 	virtual ~FSceneViewExtensionContext() = default;
 
-	/** Of the scene; null without one. */
+	/** World of the scene; null without one. */
 	virtual UWorld* GetWorld() const { return Scene != nullptr ? Scene->GetWorld() : nullptr; }
 	bool IsHMDSupported() const { return false; }
 
@@ -98,8 +98,8 @@ using FAfterPassCallbackDelegateArray = FPostProcessingPassDelegateArray;
 class DRYDOCK_API ISceneViewExtension
 {
 public:
-	/** After which pass. Those that the run's engine version does not have are never asked for; numbers differ between
-	 * versions. */
+	/** The pass that a callback follows. Passes that the run's engine version does not have are never asked for;
+	 * numbers differ between versions. */
 	enum class EPostProcessingPass : uint32
 	{
 		BeforeDOF,            // 5.5
@@ -152,8 +152,8 @@ public:
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FPostProcessingInputs& Inputs);
 	virtual void PrePostProcessPassMobile_RenderThread(
 		FRDGBuilder& GraphBuilder, const FSceneView& View, const FMobilePostProcessingInputs& Inputs);
-	/** Once for each pass and view. bIsPassEnabled is information: a callback of a disabled pass runs all the same, but
-	 * what it returns after the last enabled pass is dropped. Up to 5.4. */
+	/** Called once for each pass and view. bIsPassEnabled is information: a callback of a disabled pass runs all the
+	 * same, but what it returns after the last enabled pass is dropped. Up to 5.4. */
 	virtual void SubscribeToPostProcessingPass(
 		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& InOutPassCallbacks, bool bIsPassEnabled);
 	/** From 5.5. */
@@ -281,7 +281,7 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 class DRYDOCK_API FSceneViewExtensions
 {
 public:
-	/** Makes an extension and registers it for as long as somebody holds it. */
+	/** Makes an extension and registers it for as long as a reference to it exists. */
 	template<typename ExtensionType, typename... ArgumentTypes>
 	static TSharedRef<ExtensionType, ESPMode::ThreadSafe> NewExtension(ArgumentTypes&&... Arguments)
 	{
@@ -301,7 +301,7 @@ public:
 	/** Null for an extension that NewExtension did not make. */
 	const Drydock::FExtensionInfo* FindInfo(const ISceneViewExtension& Extension) const;
 
-	/** Changes what FindInfo says. */
+	/** Changes the result of FindInfo. */
 	void SetInfo(const ISceneViewExtension& Extension, const Drydock::FExtensionInfo& Info);
 
 	/** Number of the next registration; they only go up. */

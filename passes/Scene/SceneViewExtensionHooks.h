@@ -1,5 +1,5 @@
-// Which hooks of an extension's class are its own, found out when the class is registered and without calling any: so
-// that a hook the chosen engine version never calls can be reported.
+// Finds the hooks that an extension's class overrides, when the class is registered and without calling any, so that a
+// hook that the chosen engine version never calls can be reported.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -49,7 +49,7 @@ enum class EExtensionHook : uint8
 /** Engine minor version of extensions that follow whatever version a run chooses: those drydock ships. */
 constexpr int32 AnyEngineVersion = 0;
 
-/** What is known of a registered extension beyond its virtual functions. */
+/** The description of a registered extension beyond its virtual functions. */
 struct FExtensionInfo
 {
 	std::string Name;                         // its class, without namespaces

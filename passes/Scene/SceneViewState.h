@@ -1,5 +1,6 @@
-// What of a view lives on from frame to frame, as passes see it. pipeline/ keeps one for each view. Source: engine file
-// ScenePrivate.h (FSceneViewState, FPreviousViewInfo); the names of kept textures and buffers are drydock's.
+// Holds the state of a view that lives on from frame to frame, as passes see it. pipeline/ keeps one for each view.
+// Source: engine file ScenePrivate.h (FSceneViewState, FPreviousViewInfo); the names of kept textures and buffers are
+// drydock's.
 //
 // There are two kinds. *History* changes the picture: the frame before is read, what the next one shall know is
 // written, so that a frame is a function of its inputs and its history, and a sequence can be taken up again at any
@@ -9,8 +10,8 @@
 //     ...
 //     View.ViewState->KeepBuffer(GraphBuilder, TEXT("Mine"), Buffer);
 //
-// What a frame does not keep is forgotten after it. A *cache* saves time and changes no picture (ViewCaches.h). A frame
-// that does not use it lets go of it.
+// Textures and buffers that a frame does not keep are forgotten after it. A *cache* saves time and changes no picture
+// (ViewCaches.h). A frame that does not use it lets go of it.
 #pragma once
 
 #include "RenderGraphFwd.h"
@@ -70,11 +71,13 @@ public:
 	/** It is over, and its graph has run: what it leaves. */
 	Drydock::FViewHistory EndFrame();
 
-	/** Of the frame before, in this frame's graph; not valid, or null, where that frame kept none of this name. */
+	/** A texture that the frame before kept, in this frame's graph; not valid, or null, where that frame kept none of
+	 * this name. */
 	FScreenPassTexture RegisterLastTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
 	FRDGBufferRef RegisterLastBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name) const;
 
-	/** For the next frame. The graph must produce it. A second one of a name replaces the first. */
+	/** Keeps a texture for the next frame. The graph must produce it. A second texture of one name replaces the first.
+	 */
 	void KeepTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FScreenPassTexture& Texture);
 	void KeepBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, FRDGBufferRef Buffer);
 
@@ -83,11 +86,11 @@ public:
 	/** There is no frame before this one: nothing to adapt or reproject from. */
 	bool IsFirstFrame() const { return !Last.bValid; }
 
-	/** Of this frame's world, in seconds; the difference to the frame before is 0 without one. */
+	/** Time of this frame's world, in seconds; the difference to the frame before is 0 without a world. */
 	float LastRenderTime = 0.0f;
 	float LastRenderTimeDelta = 0.0f;
 
-	/** What the next frame will find; textures and buffers are there once the graph has run. */
+	/** The state that the next frame will find; textures and buffers are there once the graph has run. */
 	Drydock::FViewHistory Next;
 
 	/** The cache of this type: what the frame before left in it, or a new one. */

@@ -1,4 +1,4 @@
-// Which eye a view is: here none. Source: engine files StereoRendering.h, SceneView.h (EStereoscopicPass).
+// Names the eye of a view: here none. Source: engine files StereoRendering.h, SceneView.h (EStereoscopicPass).
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// What can be drawn to. Source: engine file UnrealClient.h.
+// Declares the render target interface. Source: engine file UnrealClient.h.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
-// What frames of a view hand on to save time, without a change to any picture: one object of each type that passes ask
-// for, held by FSceneViewState.
+// Holds what frames of a view hand on to save time, without a change to any picture: one object of each type that
+// passes ask for, held by FSceneViewState.
 #pragma once
 
 #include <map>

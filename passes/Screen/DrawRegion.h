@@ -1,5 +1,5 @@
-// A part of a full-screen pass: where what a mask marks can reach. What lies outside is copied or left as it is. All
-// rects count from the corner of the view's rect until they are drawn.
+// Confines a full-screen pass to the part that a mask's pixels can reach. Pixels outside are copied or left as they
+// are. All rects count from the corner of the view's rect until they are drawn.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -16,7 +16,7 @@ inline FIntRect GrowRect(const FIntRect& Rect, int32 X, int32 Y)
 	return FIntRect(Rect.Min.X - X, Rect.Min.Y - Y, Rect.Max.X + X, Rect.Max.Y + Y);
 }
 
-/** From a picture of size From to the same picture at size To, rounded outwards. */
+/** Scales a rect from a picture of size From to the same picture at size To, rounded outwards. */
 inline FIntRect ScaleRectOutward(const FIntRect& Rect, FIntPoint From, FIntPoint To)
 {
 	const auto Down = [](int32 Value, int32 FromSide, int32 ToSide)
@@ -31,7 +31,7 @@ inline FIntRect ScaleRectOutward(const FIntRect& Rect, FIntPoint From, FIntPoint
 		Up(Rect.Max.Y, From.Y, To.Y));
 }
 
-/** As a rect of the texture that holds the view in ViewRect, and no larger than that. */
+/** Moves a rect into the texture that holds the view in ViewRect, and cuts it to ViewRect. */
 inline FIntRect PlaceRect(const FIntRect& Rect, const FIntRect& ViewRect)
 {
 	FIntRect Placed = Rect + ViewRect.Min;

@@ -13,7 +13,8 @@ enum ELimitError : int
 	WarnLimited = 2110, // what was taken in the place of a setting or console variable
 };
 
-/** A warning of the run. Where: the effect; Message: what was asked for, what was taken in its place, and why. */
+/** Adds a warning to the run. The argument Where is the effect; Message: the value asked for, the value taken in its
+ * place, and why. */
 inline void AddLimitNote(FRDGBuilder& GraphBuilder, const std::string& Where, const std::string& Message)
 {
 	FDiagnostic Note;

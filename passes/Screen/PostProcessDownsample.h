@@ -1,11 +1,11 @@
-// Halving an image, and the chain of halved images that blurs, exposure and bloom share.
-// Source: engine file PostProcessDownsample.h.
+// Halves an image, and makes the chain of halved images that blurs, exposure and bloom share. Source: engine file
+// PostProcessDownsample.h.
 //
 // Contract. Output extent and rect are ceil-divided by two, never below 1x1. Every tap is clamped to the input's
 // bilinear rect, so nothing outside the rect is read and a constant stays constant to the edge.
 //   Low:  one bilinear tap. NaN, infinities and negatives pass on to the pixels whose 2x2 footprint holds them.
 //   High: four taps at one texel; colour below 0 and NaN become 0, alpha passes on; +Inf stays +Inf.
-//   What the target's format then does (R11G11B10: negatives to 0, overflow to the largest) is the store's rule.
+//   The store then applies the rules of the target's format (R11G11B10: negatives to 0, overflow to the largest).
 #pragma once
 
 #include "CoreMinimal.h"

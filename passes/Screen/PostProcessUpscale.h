@@ -36,7 +36,7 @@ struct FUpscaleInputs
 	/** [Required] Display-encoded. */
 	FScreenPassTexture SceneColor;
 
-	/** Of a new texture; its rect begins at the origin. */
+	/** Size of a new texture; its rect begins at the origin. */
 	FIntPoint OutputSize = FIntPoint(0, 0);
 
 	EUpscaleMethod Method = EUpscaleMethod::CatmullRom;

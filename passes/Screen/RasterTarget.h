@@ -1,6 +1,6 @@
-// Textures that full-screen passes write: nothing of them is loaded or cleared, because the pass writes every texel of
-// the rect. Written after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the
-// flags and so may not be a render target.
+// Creates textures that full-screen passes write: they are not loaded or cleared, because the pass writes every texel
+// of the rect. Written after the engine's FScreenPassRenderTarget::CreateFromInput, which keeps the flags and so may
+// not be a render target.
 #pragma once
 
 #include "RenderGraphBuilder.h"
@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** Of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as a pointer.
- * bCompute: written by a compute shader, as a UAV, and not a render target. */
+/** Creates a target of this extent and format, readable by shaders; Rect in texels, inside the extent. Name is kept as
+ * a pointer. bCompute: written by a compute shader, as a UAV, and not a render target. */
 inline FScreenPassRenderTarget CreateScreenTarget(
 	FRDGBuilder& GraphBuilder, FRDGTextureDesc Desc, const FIntRect& Rect, const TCHAR* Name, bool bCompute)
 {
@@ -20,14 +20,14 @@ inline FScreenPassRenderTarget CreateScreenTarget(
 	return FScreenPassRenderTarget(GraphBuilder.CreateTexture(Desc, Name), Rect, ERenderTargetLoadAction::ENoAction);
 }
 
-/** For a pass that draws. */
+/** Creates a target for a pass that draws. */
 inline FScreenPassRenderTarget CreateRasterTarget(
 	FRDGBuilder& GraphBuilder, const FRDGTextureDesc& Desc, const FIntRect& Rect, const TCHAR* Name)
 {
 	return CreateScreenTarget(GraphBuilder, Desc, Rect, Name, false);
 }
 
-/** Of Like's extent and rect; PF_Unknown: of its format too. */
+/** Creates a target of Like's extent and rect; PF_Unknown: of its format too. */
 inline FScreenPassRenderTarget CreateRasterTargetLike(
 	FRDGBuilder& GraphBuilder, const FScreenPassTexture& Like, const TCHAR* Name, EPixelFormat Format = PF_Unknown)
 {

@@ -1,6 +1,6 @@
-// The pixels behind the textures that settings name. Settings hold identities (SettingObjects.h); who runs a frame says
-// how a path becomes pixels, and passes ask for them when they need them. In the engine they are the
-// texture's resource.
+// Provides the pixels of the textures that settings name. Settings hold identities (SettingObjects.h). The caller that
+// runs a frame defines how a path becomes pixels, and passes ask for the pixels when they need them. In the engine the
+// pixels are the texture's resource.
 #pragma once
 
 #include "Engine/Texture.h"

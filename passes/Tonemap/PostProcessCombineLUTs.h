@@ -27,7 +27,7 @@
 class FRDGBuilder;
 class FViewInfo;
 
-/** What PostProcessColorRemap.ush reads. */
+/** The parameters that PostProcessColorRemap.ush reads. */
 BEGIN_SHADER_PARAMETER_STRUCT(FColorRemapParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FVector4f, FilmSlopeToeShoulderBlackClip)
 	SHADER_PARAMETER(float, FilmWhiteClip)
@@ -74,7 +74,8 @@ struct FColorRemap
 	FColorRemapPermutation Permutation;
 };
 
-/** From the view's final settings, its fade, and the output device. Registers the legacy tables it blends. */
+/** Makes the parameters from the view's final settings, its fade, and the output device. Registers the legacy tables it
+ * blends. */
 DRYDOCK_API FColorRemap MakeColorRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View);
 
 /** r.LUT.Size, 16 to 64. */

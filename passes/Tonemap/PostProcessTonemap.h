@@ -4,7 +4,7 @@
 // Per pixel: colour * tint * e * local exposure + bloom * dirt * e, e = exposure scale / PreExposure * vignette; times
 // grain; then the curve in AP1; r.Tonemapper.GrainQuantization then dithers what is rounded to 8 or 10 bits. Each part
 // that its settings switch off is a permutation without it. Curve and grading come from the combined table, or, without
-// ColorGradingTexture, are evaluated for each pixel (PostProcessCombineLUTs.h says how far they differ). Contract. The
+// ColorGradingTexture, are evaluated for each pixel (PostProcessCombineLUTs.h gives the difference). Contract. The
 // result is finite and not negative for every input: after bloom a NaN or negative channel counts as 0, one above 65504
 // (infinity too) as 65504. Black gives black unless grading lifts it. Bloom is sampled bilinearly within its bilinear
 // rect. Every size from 1x1 up. A float target keeps what the curve gives above 1 (white clip). Gamma only: the power 1

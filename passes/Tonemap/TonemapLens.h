@@ -1,4 +1,4 @@
-// Parameters of what lens and sensor do to the picture before the film curve. Pure functions from settings to what the
+// Holds the parameters of the lens and sensor effects before the film curve. Pure functions from settings to what the
 // shader reads. Source: engine file PostProcessTonemap.cpp.
 #pragma once
 
@@ -36,9 +36,9 @@ DRYDOCK_API FFilmGrain MakeFilmGrain(const FPostProcessSettings& Settings, uint3
 /** Whether there is any: intensity above 0 and r.FilmGrain 1. */
 DRYDOCK_API bool HasFilmGrain(const FPostProcessSettings& Settings);
 
-/** How a picture becomes grain: repeated over the view, and divided by its mean so that the light stays. Source: what
- * is written of r.FilmGrain.SequenceLength and r.FilmGrain.CacheTextureConstants; that it is the mean is drydock's
- * reading. */
+/** The picture that becomes grain: it is repeated over the view, and divided by its mean so that the light stays.
+ * Source: descriptions of r.FilmGrain.SequenceLength and r.FilmGrain.CacheTextureConstants; dividing by the mean is
+ * drydock's reading. */
 struct FFilmGrainPicture
 {
 	FVector2f UVPerPixel;  // of FilmGrainTexelSize

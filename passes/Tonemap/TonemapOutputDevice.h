@@ -1,4 +1,4 @@
-// What the tonemapper's result is for: the device, its encoding and the format that carries it. Source: engine
+// Describes the device that the tonemapper's result is for, its encoding and the format that carries it. Source: engine
 // HDRHelper.h, PostProcessTonemap.h (names, numbers); the devices of linear light are drydock's reading of their names.
 #pragma once
 
@@ -28,14 +28,16 @@ struct FTonemapperOutputDeviceParameters
 	EDisplayOutputFormat OutputDevice;
 };
 
-/** From r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or Rec.709 curve.
- */
+/** The parameters by r.HDR.Display.OutputDevice; r.TonemapperGamma above 0 puts a power in the place of the sRGB or
+ * Rec.709 curve.
+ * */
 DRYDOCK_API FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters();
 
 namespace Drydock
 {
 
-/** Of the picture from the tonemapper on: 8 bit, 10 bit with ST 2084, half float for linear light, float for EXR. */
+/** Format of the picture from the tonemapper on: 8 bit, 10 bit with ST 2084, half float for linear light, float for
+ * EXR. */
 DRYDOCK_API EPixelFormat GetDisplayFormat(EDisplayOutputFormat OutputDevice);
 
 /** "sRGB"; what a file that holds the picture is tagged with. */

@@ -42,7 +42,7 @@ struct FCharaGlowInputs
 	 * anywhere. Then only what the glow can reach is drawn, and the rest of the picture is copied. */
 	std::optional<FIntRect> MaskBounds;
 
-	/** From the settings and r.RED.AsPrinted. */
+	/** Makes the inputs from the settings and r.RED.AsPrinted. */
 	DRYDOCK_API static FCharaGlowInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& SceneColor);
 };

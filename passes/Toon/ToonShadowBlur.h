@@ -50,7 +50,7 @@ struct FToonShadowBlurInputs
 	EToonShadowBlurStore Store = EToonShadowBlurStore::SqrtEightBit;
 	bool bAsPrinted = false;
 
-	/** From the settings and r.ToonShadowBlur.AsPrinted. */
+	/** Makes the inputs from the settings and r.ToonShadowBlur.AsPrinted. */
 	DRYDOCK_API static FToonShadowBlurInputs FromSettings(
 		const FFinalPostProcessSettings& Settings, const FScreenPassTexture& ToonShadow);
 };
@@ -72,7 +72,7 @@ DRYDOCK_API FScreenPassTexture AddToonShadowBlurPasses(
 struct FToonShadowLightingInputs
 {
 	FScreenPassTexture SceneColor;
-	/** With A filled. */
+	/** The toon shadow with A filled. */
 	FScreenPassTexture ToonShadow;
 	/** Base colour and shading model: only pixels of the toon model (SHADINGMODELID_CLOTH) change. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
@@ -92,7 +92,7 @@ struct FToonShadowLightingInputs
 DRYDOCK_API FScreenPassTexture AddToonShadowLightingPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FToonShadowLightingInputs& Inputs);
 
-/** What A holds of a blurred shadow of 0..1, before rounding to 8 bit, and back. */
+/** The value of A for a blurred shadow of 0..1, before rounding to 8 bit, and back. */
 DRYDOCK_API float EncodeToonShadowBlur(float Blurred, EToonShadowBlurStore Store);
 DRYDOCK_API float DecodeToonShadowBlur(float Stored, EToonShadowBlurStore Store);
 

@@ -1,4 +1,4 @@
-// What `drydock blend` says: the settings at a place and the story of each, as text and as JSON.
+// Writes the report of `drydock blend`: the settings at a place and the story of each, as text and as JSON.
 #pragma once
 
 #include "BlendSettings.h"

@@ -1,4 +1,4 @@
-// Makes what `drydock blend` says of a config that is set up for a run.
+// Makes the report of `drydock blend` for a config that is set up for a run.
 #pragma once
 
 #include "Blend/BlendReport.h"
@@ -9,7 +9,7 @@ namespace Drydock
 struct FRunSetup;
 
 /** The settings at the view's location, with the story of each. Console variables are those of the setup, which must
- * live on. LocationFrom: who says where that is. Throws FError where an extension fails. */
+ * live on. LocationFrom: the source of the location. Throws FError where an extension fails. */
 FBlendReport MakeBlendReport(const FRunSetup& Setup, const std::string& LocationFrom);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// The settings along a path: what a view has at every step of a walk, and how strongly each volume acts there.
+// Computes the settings along a path: a view's settings at every step of a walk, and the weight of each volume there.
 #pragma once
 
 #include "Blend/WalkPath.h"

@@ -1,5 +1,4 @@
-// Chooses values for a run from a study: with a budget in its config, the variant that
-// the study recommends by it.
+// Chooses a variant of a study for a run: the one that the study recommends by the budget in the config.
 #pragma once
 
 #include "Budget/StudyConfig.h"
@@ -16,9 +15,9 @@ struct FBudgetChoice
 };
 
 /** Empty where the config has no budget or no study. Reads study.json and study_timing.json of budget.study, or of the
- * folder where `drydock study` puts them by default; what they were made of must be this config (its budget may
- * differ). Where a study has several jobs, one variant must meet the budget in all of them, and its time is their sum.
- * Why nothing was chosen is a note in Diagnostics. */
+ * folder where `drydock study` puts them by default; they must have been made from this config (its budget may differ).
+ * If a study has several jobs, one variant must meet the budget in all of them, and its time is their sum. If nothing
+ * was chosen, a note in Diagnostics gives the reason. */
 DRYDOCK_API std::optional<FBudgetChoice> ReadBudgetChoice(
 	const FConfig& Config, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics);
 

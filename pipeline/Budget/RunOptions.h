@@ -1,4 +1,5 @@
-// The options of a run. Plain data: needs none of the engine's headers, whose macros would break others'.
+// Holds the options of a run. The header is plain: it needs none of the engine's headers, whose macros would break
+// others'.
 #pragma once
 
 #include "Config/OutputKinds.h"
@@ -45,8 +46,8 @@ struct FRunOptions
 	std::optional<std::array<double, 3>> Location;     // of the view, cm; beats the config's and the scene's
 	std::optional<std::array<int, 4>> Padding;         // left, top, right, bottom, texels; beats the config's
 	std::optional<double> ScreenPercentage;            // above 0; beats the config's
-	/** Rects of the views, in pixels of the picture, in place of the config's view or views, whose first says all else;
-	 * empty: the config's. */
+	/** Rects of the views, in pixels of the picture, in place of the config's view or views, the first of which gives
+	 * all else; empty: the config's. */
 	std::vector<std::array<int, 4>> ViewRects;
 	std::optional<int> Frame;   // which of a sequence, the lowest by default; shaders see it as View.FrameNumber
 	std::optional<int> Threads; // 0: all cores
@@ -57,7 +58,8 @@ struct FRunOptions
 	bool bPlanLoads = false;    // of a graph that is not executed: find out which channels it would decode
 	bool bLookAtContent = true; // false: settings alone decide what runs, so that no picture is decoded for it
 	/** Nothing is left out because no output needs it: culled passes run, all channels are decoded, effects whose
-	 * values are neutral or whose input is empty run. Effects that are off stay off. The outputs are the same bits. */
+	 * values are neutral or whose input is empty run. Effects that are switched off stay off. The outputs are the same
+	 * bits. */
 	bool bNoSkip = false;
 	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
 	bool bFingerprints = false;              // of what each pass wrote, in run.json
@@ -68,7 +70,7 @@ struct FRunOptions
 	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;
-	/** Called after each pass with its outputs. Memory that nobody has written is then 0, except with
+	/** Called after each pass with the textures that it wrote. Texels that nobody has written are then 0, but for
 	 * r.RDG.ClobberResources. */
 	std::function<void(const FPassWrites& Writes)> OnPassExecuted;
 };

@@ -1,4 +1,4 @@
-// How an error stands to the budget of a study.
+// Compares an error with the budget of a study.
 #pragma once
 
 #include "Budget/StudyConfig.h"
@@ -25,9 +25,9 @@ struct FBudgetCandidate
 	bool IsWithinNoiseOf(const FBudgetCandidate& Other) const { return Low <= Other.High && Other.Low <= High; }
 };
 
-/** The rule of `study` and of `run`: the cheapest, where the budget bounds the error, else the most exact; of those
- * that are as cheap within noise the most exact; of those that are as exact, as variants with the same bits are, the
- * first in the study's order, whatever the clock said of them. Empty where none meets the budget. */
+/** The rule of `study` and of `run`: the cheapest variant where the budget bounds the error, else the most exact. Among
+ * variants that are equally cheap within noise the most exact is taken. Among equally exact ones, such as variants with
+ * the same bits, the first in the study's order is taken, whatever their times. Empty where none meets the budget. */
 DRYDOCK_API std::optional<size_t> ChooseWithinBudget(
 	const std::vector<FBudgetCandidate>& Candidates, const FStudyBudget& Budget);
 

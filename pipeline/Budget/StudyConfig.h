@@ -1,4 +1,4 @@
-// The axes of a study as plain data, and the resulting list of variants. Its keys are in ConfigKeys.cpp.
+// Holds a study's axes as plain data, and makes the row of its variants. Its keys are in ConfigKeys.cpp.
 #pragma once
 
 #include "Config/Config.h"
@@ -43,7 +43,7 @@ struct FStudyBudget
 	bool bDefault = true; // no budget in the config: half a step of 8 bits
 };
 
-/** A job: one value of every axis that makes another job. */
+/** A job of the study: one value of every axis whose values are separate jobs. */
 struct FStudyCase
 {
 	std::string Label; // empty where there is one job only
@@ -56,14 +56,15 @@ struct FStudyChoice
 {
 	std::string Label;
 	std::vector<FStudyAssignment> Set;
-	std::vector<std::string> Values; // labels, axis by axis
+	std::vector<std::string> Values; // labels, axis by axis of the study
 };
 
 struct FStudy
 {
 	bool bBlur = false; // of blur algorithms, alone; else of whole frames
 	std::vector<FStudyAxis> Axes;
-	/** The settings of a frame's reference, beside the case. Empty for a blur, whose reference is the exact one. */
+	/** The settings of the reference, beside the case, for a frame. Empty for a blur: its reference is the exact blur.
+	 */
 	std::vector<FStudyAssignment> Reference;
 	std::string ReferenceName;
 	std::vector<std::string> Metrics; // the first one is drawn, and decides what dominates what

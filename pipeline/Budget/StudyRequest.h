@@ -1,4 +1,4 @@
-// The request of a study to a run: its assignments as options, and a hash by which a later run recognises the study.
+// Turns a study's assignments into options of a run, and makes the hash by which a later run knows what was studied.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -15,7 +15,7 @@ DRYDOCK_API std::string GetStudyFingerprint(const std::string& ConfigText);
 /** Text of the config that Options name. Throws FError (exit code 3) when it cannot be read. */
 DRYDOCK_API std::string GetConfigText(const FRunOptions& Options);
 
-/** Applies these assignments to the options of a run. */
+/** Sets these assignments as options of a run. */
 DRYDOCK_API void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Bloom as the chain has it: the bloom setup where something calls for it, and the sum of Gaussians or the convolution.
+// Builds the bloom of the chain: the bloom setup where it is needed, and the sum of Gaussians or the convolution.
 // Source: engine PostProcess/PostProcessing.cpp.
 #pragma once
 
@@ -11,7 +11,7 @@
 class FRDGBuilder;
 class FViewInfo;
 
-/** What bloom is made of. */
+/** The inputs of bloom. */
 struct FBloomChainInputs
 {
 	/** [Required] Linear, pre-exposed, full resolution. */
@@ -30,11 +30,11 @@ struct FBloomChainInputs
 
 struct FBloomChainOutputs
 {
-	/** What the tonemapper adds: half resolution, or that of FFT bloom. */
+	/** The bloom that the tonemapper adds: half resolution, or that of FFT bloom. */
 	FScreenPassTexture Bloom;
-	/** What FFT bloom leaves of the scene colour (PostProcessFFTBloom.h); null: all. */
+	/** The factor by which FFT bloom multiplies the scene colour (PostProcessFFTBloom.h); null: 1. */
 	FRDGBufferRef SceneColorApplyParameters = nullptr;
 };
 
-/** By convolution where IsFFTBloomEnabled says so. Toon bloom then masks the picture at full resolution. */
+/** Adds bloom, by convolution where IsFFTBloomEnabled. Toon bloom then masks the picture at full resolution. */
 FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs);

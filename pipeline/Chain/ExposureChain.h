@@ -1,5 +1,5 @@
-// Exposure and local exposure as the chain has them: metering, adaptation from last frame's buffer, the bilateral grid
-// and the blurred luminance. Source: engine PostProcess/PostProcessing.cpp.
+// Builds the exposure and local exposure of the chain: metering, adaptation from last frame's buffer, the bilateral
+// grid and the blurred luminance. Source: engine PostProcess/PostProcessing.cpp.
 #pragma once
 
 #include "Exposure/PostProcessEyeAdaptation.h"
@@ -8,7 +8,7 @@
 class FRDGBuilder;
 class FViewInfo;
 
-/** What both are made of. */
+/** The inputs of metered and local exposure. */
 struct FExposureChainInputs
 {
 	/** The picture, downsampled, and from there down; may be missing where nothing is metered and bLocalExposure is

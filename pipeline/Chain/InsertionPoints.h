@@ -1,5 +1,5 @@
-// The insertion points of one view's chain: who subscribed where, and the calls of view extensions in order. Source:
-// engine PostProcess/PostProcessing.cpp; the record of it is drydock's.
+// Holds the insertion points of one view's chain: the subscribers of each, and the calls of view extensions in order.
+// Source: engine PostProcess/PostProcessing.cpp; the record of it is drydock's.
 #pragma once
 
 #include "Chain/OverridePassSequence.h"
@@ -34,7 +34,7 @@ public:
 	using EPoint = ISceneViewExtension::EPostProcessingPass;
 	using FSequence = TOverridePassSequence<EFramePass>;
 
-	/** SceneTextures: null where nobody reads them. All outlive this. */
+	/** SceneTextures: null if they are not read. All outlive this. */
 	FInsertionPoints(FRDGBuilder& InGraphBuilder, const FNamedView& InView,
 		TRDGUniformBufferRef<FSceneTextureUniformParameters> InSceneTextures, FSequence& InSequence,
 		FViewExtensionFrame& InExtensions);
@@ -53,7 +53,7 @@ public:
 	/** The one callback that stands in for the tonemapper. The first subscribed wins. */
 	FScreenPassTexture RunReplacingTonemapper(const FScreenPassTexture& SceneColor, const FScreenPassTexture& Bloom);
 
-	/** A point that this frame does not come to. */
+	/** Records a point that this frame does not reach. */
 	void Skip(EPoint Point, const std::string& Reason);
 
 private:

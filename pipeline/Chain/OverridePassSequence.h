@@ -1,6 +1,6 @@
-// Who writes the frame's output: the last enabled pass of a sequence, or the last of its callbacks. Passes are declared
-// once (SetEnabled), the sequence is closed (Finalize), and each pass asks in order whether the output is its own.
-// Source: engine file OverridePassSequence.h.
+// Finds the writer of the frame's output: the last enabled pass of a sequence, or the last of its callbacks. Passes are
+// declared once (SetEnabled), the sequence is closed (Finalize), and each pass asks in order whether the output is its
+// own. Source: engine file OverridePassSequence.h.
 #pragma once
 
 #include "CoreMinimal.h"

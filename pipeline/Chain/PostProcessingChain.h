@@ -10,7 +10,7 @@
 
 class FRDGBuilder;
 
-/** What the chain of one view starts from. */
+/** The inputs of one view's chain. */
 struct FPostProcessingChainInputs
 {
 	/** [Required] Linear, pre-exposed; its rect is the view's. */
@@ -21,7 +21,7 @@ struct FPostProcessingChainInputs
 	float ExposureScale = 1.0f;
 	/** The settings expose in its place. */
 	bool bAutoExposure = false;
-	/** Null where nobody reads scene textures. */
+	/** Null if scene textures are not read. */
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 	/** Colour of the main light, relative, for ToonShadowBlur. */
 	FLinearColor LightColor = FLinearColor(1.0f, 1.0f, 1.0f, 1.0f);
@@ -29,15 +29,15 @@ struct FPostProcessingChainInputs
 
 struct FPostProcessingChainOutputs
 {
-	/** What the tonemapper reads, bloom apart. */
+	/** The scene colour that the tonemapper reads, without bloom. */
 	FScreenPassTexture SceneLinear;
 	/** The display-encoded picture: ViewFamilyTexture. */
 	FScreenPassTexture Final;
-	/** What the tonemapper adds; not valid without bloom. */
+	/** The bloom that the tonemapper adds; not valid without bloom. */
 	FScreenPassTexture Bloom;
-	/** What the exposure was metered with; null where there is none. */
+	/** The histogram that the exposure was metered with; null where there is none. */
 	FRDGTextureRef Histogram = nullptr;
-	/** What effects can be measured on: what they kept, and "Bloom". */
+	/** The textures that effects can be measured on: those that effects kept, and "Bloom". */
 	Drydock::FKeptTextures Kept;
 };
 

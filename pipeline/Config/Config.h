@@ -19,7 +19,7 @@
 namespace Drydock
 {
 
-/** The place of a value in its file; line 0: the value is a default. */
+/** The place of a value in the text; line 0: the value is a default. */
 struct FConfigPlace
 {
 	int Line = 0;
@@ -121,7 +121,7 @@ struct FConfigCamera
 	FConfigSettings Settings;
 };
 
-/** Who sets a console variable; a later one beats an earlier one. */
+/** The source that sets a console variable; a later source beats an earlier one. */
 enum class EVariableSource
 {
 	Config,
@@ -160,10 +160,10 @@ struct FConfig
 	FConfigSettings CommandLine;            // --pp: after everything else, at full weight
 	std::vector<FConfigVariable> Variables; // in the order in which they are set
 	std::vector<FConfigShowFlag> ShowFlags;
-	std::vector<FJsonValue> Extensions; // objects, as in the file: see ReadExtensionRequests
-	std::vector<FJsonValue> Passes;     // objects, as in the file: see ReadPassRequests
-	FJsonValue Study;                   // as in the file, null if absent: see ReadStudy
-	FJsonValue Budget;                  // as in the file, null if absent
+	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
+	std::vector<FJsonValue> Passes;     // see ReadPassRequests
+	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
+	FJsonValue Budget;                  // as it stands
 	std::vector<TConfigValue<std::string>> Dump;
 	TConfigValue<std::string> Report;  // "off", "on", "full"; not set: as the program chooses
 	std::optional<FOutputKinds> Write; // what of its outputs a run writes; empty: the config does not say

@@ -1,5 +1,4 @@
-// The one list of config keys: what the reader accepts, what the schema publishes and what the messages suggest all
-// come from it.
+// The one list of config keys: the reader, the schema and the suggestions in messages all use it.
 #pragma once
 
 #include "DrydockAPI.h"

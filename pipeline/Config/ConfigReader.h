@@ -31,7 +31,7 @@ public:
 	{
 	}
 
-	/** At a value. */
+	/** Reports an error at a value. */
 	void Error(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.Line, At.Column, At.Pointer, Message);
@@ -40,7 +40,7 @@ public:
 	{
 		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);
 	}
-	/** At the key of a member. */
+	/** Reports an error at the key of a member. */
 	void ErrorAtKey(int Code, const FJsonValue& At, const std::string& Message)
 	{
 		Add(ESeverity::Error, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
@@ -66,7 +66,8 @@ public:
 	{
 		return Diagnostics.size() < MaxDiagnostics ? Drydock::Suggest(Name, GetCandidates()) : "";
 	}
-	/** The same for the name of a setting. For a setting of engine 4 it names the place where it is set today. */
+	/** The same for the name of a setting. For a setting of engine 4 the suggestion is the place where it is set today.
+	 */
 	std::string SuggestSetting(const std::string& Name) const;
 	std::string Suggest(const std::string& Name, const std::vector<std::string>& Candidates) const
 	{
@@ -81,15 +82,14 @@ private:
 	std::vector<FDiagnostic>& Diagnostics;
 };
 
-/** Checks keys and types of a whole config against the list of keys, and warns about features that are not built yet.
- */
+/** Checks keys and types of a whole config against the list of keys, and reports features that are not built yet. */
 void ValidateConfigShape(const FJsonValue& Root, FConfigMessages& Messages);
 
 /** The Settings of a volume or camera. Not an object: nothing (that has been reported). */
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages);
 
-/** Keys of a setting's curve as the text that stands for it (CurveKeys.h); empty when something is wrong with them,
- * which is reported. Value: an object. */
+/** Keys of a setting's curve as the text that names it (CurveKeys.h); empty when something is wrong with them, which is
+ * reported. Value: an object. */
 std::optional<std::string> ReadConfigCurve(
 	const FJsonValue& Value, const std::string& Setting, FConfigMessages& Messages);
 

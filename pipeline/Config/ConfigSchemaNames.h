@@ -28,8 +28,8 @@ void WriteType(FJsonWriter& Writer, const char* Type);
 /** "enum": [...] */
 void WriteEnum(FJsonWriter& Writer, const std::vector<std::string>& Texts);
 
-/** Inside the object of a key whose values have names: writes what it takes. False, and nothing, of any other key.
- * Where plugins may add names, any other text is valid too. */
+/** Inside the object of a key whose values have names: writes the names that it takes. For any other key the result is
+ * false, and nothing is written. If plugins may add names, any other text is valid too. */
 bool WriteKnownNames(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNames& Names);
 
 /** The definition "variables": all console variables, and any that a plugin brings. */

@@ -28,11 +28,11 @@ struct FFrameList
 	bool operator==(const FFrameList&) const = default;
 };
 
-/** Frames ascend, for a frame's history is that of earlier ones. Empty where the text is none such list; then OutError
- * says what is wrong, in a sentence without a full stop. */
+/** Frames ascend, because a frame's history is that of earlier ones. Empty if the text is not such a list; then
+ * OutError is the fault, in a sentence without a full stop. */
 DRYDOCK_API std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& OutError);
 
-/** The numbers, ascending. Existing: those that "all" stands for. */
+/** The numbers, ascending. Existing: the numbers that "all" means. */
 DRYDOCK_API std::vector<int> ListFrames(const FFrameList& List, const std::vector<int>& Existing);
 
 } // namespace Drydock

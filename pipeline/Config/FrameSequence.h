@@ -26,15 +26,15 @@ DRYDOCK_API bool IsFrameSequence(const std::string& Path);
  * filled with zeros, or with more digits. */
 DRYDOCK_API std::vector<FSequenceFrame> FindSequenceFrames(const std::string& Pattern);
 
-/** Replaces a scene that is a sequence by the file of one frame: by default the first of scene.frames, else the
- * lowest. The pattern remains in Scene.Sequence, the number in Scene.Frame. Throws FError (exit code 3)
- * when there is no such frame. */
+/** Replaces a scene that is a sequence by the file of that frame; the default is the first of scene.frames, else the
+ * lowest. The pattern remains in Scene.Sequence, the number in Scene.Frame. Throws FError (exit code 3) when there is
+ * no such frame. */
 DRYDOCK_API void ChooseSceneFrame(FConfig& Config, std::optional<int> Frame);
 
 /** The frames of a config that has chosen one already, as a list names them (FrameList.h); Place: where the list
- * stands, for messages. Throws FError: the scene is not a sequence, or the list is not valid (exit code 2); a frame
+ * stands, for messages. Throws FError: the scene is not a sequence, or the list is not a list (exit code 2); a frame
  * does not exist (3).
- */
+ * */
 DRYDOCK_API std::vector<FSequenceFrame> ChooseSequenceFrames(
 	const FConfig& Config, const std::string& List, const FConfigPlace& Place);
 

@@ -1,4 +1,5 @@
-// The kinds of outputs that a run writes: the config's outputs.write, --outputs, and the defaults.
+// Chooses the outputs that a run writes: the config's outputs.write, --outputs, and the default of callers who ask for
+// less.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -23,7 +24,7 @@ using FOutputKinds = std::set<EOutputKind>;
 /** "png", "exr", ...: in the order of EOutputKind. */
 DRYDOCK_API const std::vector<std::string>& GetOutputKindNames();
 
-/** The kinds of these names (GetOutputKindNames); unknown names are ignored. */
+/** Makes the kinds from names that exist (GetOutputKindNames); others count for nothing. */
 DRYDOCK_API FOutputKinds MakeOutputKinds(const std::vector<std::string>& Names);
 
 DRYDOCK_API FOutputKinds GetAllOutputKinds();

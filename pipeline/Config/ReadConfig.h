@@ -54,7 +54,7 @@ DRYDOCK_API void AddSettingArgument(
 DRYDOCK_API void AddVariableArgument(
 	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
-/** Adds what a console would be told: "r.A 1, r.B=2, r.C, SomeCommand x", separated by commas; it beats --set. */
+/** Adds console commands: "r.A 1, r.B=2, r.C, SomeCommand x", separated by commas; it beats --set. */
 DRYDOCK_API void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

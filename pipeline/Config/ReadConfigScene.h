@@ -12,7 +12,7 @@ namespace Drydock
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages);
 void ReadView(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messages);
 
-/** Several views: each has its rect, and the first one stands for them where there can be only one. */
+/** Reads several views: each has its rect, and the first one is used where there can be only one. */
 void ReadViews(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages);
 
 } // namespace Drydock

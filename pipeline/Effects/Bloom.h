@@ -1,4 +1,4 @@
-// Whether a frame has bloom at all: what bloom itself and the effects that change it ask.
+// Decides whether a frame has bloom at all, for bloom itself and for the effects that change it.
 #pragma once
 
 #include "Effects/Effect.h"

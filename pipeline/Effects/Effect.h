@@ -1,5 +1,5 @@
-// What an effect is to the rest of the house: one value of FEffect holds all that decisions, gates, the chain, reports
-// and measurements ask of it. A new effect is a file that defines such a value, and a row in EffectList.inl.
+// Defines FEffect, the description of one effect that decisions, gates, the chain, reports and measurements read. A new
+// effect is a file that defines such a value, and a row in EffectList.inl.
 #pragma once
 
 #include "Effects/EffectFigures.h"
@@ -72,7 +72,7 @@ DRYDOCK_API const FEffectDecision* FindEffect(const std::vector<FEffectDecision>
 /** Whether that effect runs. */
 DRYDOCK_API bool IsEffectActive(const std::vector<FEffectDecision>& Effects, EEffect Id);
 
-/** What decides about a view's effects beside its settings; made once, when the settings are blended. */
+/** The conditions beside its settings that decide about a view's effects; made once, when the settings are blended. */
 struct FViewConditions
 {
 	FEngineProfile Engine = GetDefaultEngineProfile();
@@ -84,7 +84,7 @@ struct FViewConditions
 	float PreExposure = 1.0f;               // that colours are stored with
 	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
-	bool bNoSkip = false;                   // neutral values are no reason not to run
+	bool bNoSkip = false;                   // neutral values do not keep an effect from running
 };
 
 /** A view's settings as they were blended. From SetupView on FViewInfo::FinalPostProcessSettings holds the only live
@@ -94,7 +94,7 @@ struct FViewSettings : FViewConditions
 	FFinalPostProcessSettings Settings; // after show flags and console variables
 };
 
-/** What decisions are made of; refers to what a frame holds. */
+/** The inputs of decisions; refers to what a frame holds. */
 struct FEffectInputs
 {
 	const FFinalPostProcessSettings& Settings;
@@ -108,7 +108,7 @@ struct FEffectInputs
 		, Extensions(InExtensions)
 	{
 	}
-	/** Without a frame. */
+	/** Inputs without a frame. */
 	FEffectInputs(const FViewSettings& View)
 		: FEffectInputs(View.Settings, View)
 	{
@@ -132,7 +132,7 @@ struct FSettingClaim
 
 constexpr const char* NoPassReadsIt = "no pass reads it; it is blended and reported all the same";
 
-/** Where in the chain an effect's passes stand, from the scene's colour to the display. */
+/** Positions of an effect's passes in the chain, from the scene's colour to the display. */
 enum class EChainPlace : uint8
 {
 	Lighting, // first of all
@@ -161,7 +161,7 @@ struct FChainPlace
 /** Textures that outlive the graph because something is measured on them, by name. */
 using FKeptTextures = std::map<std::string, FScreenPassTexture>;
 
-/** What an effect's passes are made from. */
+/** The inputs from which an effect's passes are made. */
 struct FEffectPassInputs
 {
 	FRDGBuilder& GraphBuilder;
@@ -175,15 +175,15 @@ struct FEffectPassInputs
 	FScreenPassRenderTarget OverrideOutput;
 	/** The view's scene textures, made when first asked for. */
 	std::function<TRDGUniformBufferRef<FSceneTextureUniformParameters>()> GetSceneTextures;
-	/** What the effect can be measured on goes here. */
+	/** Takes the textures that the effect can be measured on. */
 	FKeptTextures& Kept;
 
-	/** Where alone the effect has something to do, from the view's corner; not set: anywhere, or the picture is no
-	 * longer of the view's size. */
+	/** The part of the view where the effect has something to do, counted from the view's corner. Not set: anywhere, or
+	 * the picture no longer has the view's size. */
 	DRYDOCK_API std::optional<FIntRect> GetRegion() const;
 };
 
-/** What the scene's content makes of an effect that the settings call for. */
+/** The inputs by which the scene's content may leave out or confine an effect that the settings call for. */
 struct FGateInputs
 {
 	const FEffectInputs& Inputs;
@@ -205,14 +205,15 @@ struct FEffect
 	/** It may make a pixel of the scene's colour brighter before bloom sees it: bloom is then not left out for want of
 	 * bright pixels. */
 	TRequired<bool> bMayBrightenBeforeBloom;
-	/** From settings, show flags and console variables alone. */
+	/** Decides from settings, show flags and console variables alone. */
 	TRequired<FEffectDecision (*)(const FEffect& Effect, const FEffectInputs& Inputs)> Decide;
-	/** What of the scene could leave it out or confine it, asked where it is active; null: nothing. */
+	/** Asks which contents of the scene could leave the effect out or confine it. Called where the effect is active;
+	 * null: none. */
 	TRequired<FContentQuestions (*)(const FGateInputs& Gate, const FEffectDecision& Decision)> Ask;
 	/** Takes an active decision back, or gives it a region, where that changes no bit of any output; null: never. */
 	TRequired<void (*)(const FGateInputs& Gate, FEffectDecision& Decision)> Gate;
-	/** What the reason says of the other effects, once all are decided and gated; null: nothing. Appended where it is
-	 * active. */
+	/** Describes the other effects for the reason, once all are decided and gated; null: nothing. The text is appended
+	 * where the effect is active. */
 	TRequired<std::string (*)(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Effects)> Complete;
 	TRequired<FChainPlace (*)()> GetPlace;
 	/** Its passes, from picture to picture; null: the chain itself makes them (PostProcessingChain.cpp). */

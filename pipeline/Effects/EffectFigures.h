@@ -1,4 +1,4 @@
-// What an effect comes to when it is measured on request: figures for run.json and pictures to look at.
+// Holds the measurements of an effect, made on request: figures for run.json and pictures to look at.
 #pragma once
 
 #include "FinalPostProcessSettings.h"
@@ -52,7 +52,7 @@ struct FKeptTexture
 	FIntRect Rect; // of the view
 };
 
-/** What an effect is measured on. */
+/** The inputs of an effect's measurement. */
 struct FMeasureInputs
 {
 	const FFinalPostProcessSettings& Settings;

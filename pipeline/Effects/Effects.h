@@ -1,5 +1,5 @@
-// The table of all effects, and what is asked of all of them: three straight steps from settings to decisions. Decide
-// looks at settings, Gate at what the scene holds, Complete at the outcome; none of them comes back to an earlier one.
+// Declares the table of all effects, and the three steps from settings to decisions. Decide looks at settings, Gate at
+// what the scene holds, Complete at the outcome; none of them comes back to an earlier one.
 #pragma once
 
 #include "Effects/Effect.h"
@@ -14,21 +14,22 @@ using FEffectTable = std::span<const FEffect* const>;
 /** Every effect there is, in the order of reports. */
 DRYDOCK_API FEffectTable GetEffects();
 
-/** By its name, as a config or the command line has it; null where there is none. */
+/** Finds an effect by its name, as a config or the command line has it; null where there is none. */
 DRYDOCK_API const FEffect* FindEffectByName(std::string_view Name);
 
 /** First step: one decision per effect of the table, in its order, from settings alone. Reasons are not complete. */
 DRYDOCK_API std::vector<FEffectDecision> DecideBySettings(
 	const FEffectInputs& Inputs, FEffectTable Table = GetEffects());
 
-/** What of the scene is worth a look before the second step. With bNoSkip: nothing. */
+/** The contents of the scene that have to be looked at before the second step. With bNoSkip: none. */
 DRYDOCK_API FContentQuestions AskContent(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Decided);
 
 /** Second step: takes back what has nothing to do in the scene, and confines what has only in a part of it. */
 DRYDOCK_API std::vector<FEffectDecision> GateByContent(
 	const FEffectInputs& Inputs, const FViewContent& Content, const std::vector<FEffectDecision>& Decided);
 
-/** In place of the second step: says of each active effect that asks something why nobody looked. */
+/** Replaces the second step: adds to each active effect that asks for contents the reason why they were not examined.
+ */
 DRYDOCK_API std::vector<FEffectDecision> NoteContentUnseen(
 	const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Decided, const std::string& Why);
 
@@ -44,7 +45,7 @@ DRYDOCK_API double GetScreenPercentage(const FViewConditions& Conditions);
 
 using FFiguresByEffect = std::map<EEffect, FEffectFigures>;
 
-/** What the active effects of an executed frame come to; those whose textures were not kept are left out. */
+/** Figures of the active effects of an executed frame; effects whose textures were not kept are left out. */
 DRYDOCK_API FFiguresByEffect MeasureEffects(const std::vector<FEffectDecision>& Effects, const FMeasureInputs& Inputs);
 
 /** The effect that owns a setting, by the longest claim on its name; null: no effect reads it. */

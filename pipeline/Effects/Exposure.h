@@ -1,4 +1,4 @@
-// Whether exposure is metered: what the chain and reports ask beside the decision.
+// Decides whether exposure is metered, for the chain and for reports.
 #pragma once
 
 #include "Effects/Effect.h"

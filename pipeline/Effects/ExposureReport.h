@@ -1,4 +1,4 @@
-// What a metered exposure came to, read back from a frame that ran.
+// Reports the result of a metered exposure, read back from a frame that ran.
 #pragma once
 
 #include "Diagnostics.h"

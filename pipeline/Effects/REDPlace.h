@@ -1,4 +1,4 @@
-// Where r.REDPostprocessAfterTranslucency puts the RED effects, which go one after another.
+// Chooses the place of the RED effects, which run one after another, by r.REDPostprocessAfterTranslucency.
 #pragma once
 
 #include "Effects/Effect.h"

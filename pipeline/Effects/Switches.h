@@ -1,4 +1,4 @@
-// Effects that run where one of their settings is not neutral: how all of these decide.
+// Decides for effects that run where one of their settings is not neutral.
 #pragma once
 
 #include "Effects/Effect.h"

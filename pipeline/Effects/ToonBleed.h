@@ -1,4 +1,4 @@
-// How much bloom lands outside what is toon, and how much inside.
+// Measures how much bloom lands outside the toon pixels, and how much inside.
 //
 // Formula, over all pixels of the view: energy = luminance(0.3, 0.59, 0.11) of the bloom texel that the pixel's centre
 // lies in, as the tonemapper gets it, over PreExposure; a pixel is inside where its shading model id is cloth. Texels

@@ -1,4 +1,4 @@
-// The toon-shadow blur as it would be if no texture rounded: what the stored one is measured against.
+// Computes the toon-shadow blur without the rounding of textures, as the reference for the stored one.
 #pragma once
 
 #include "FinalPostProcessSettings.h"

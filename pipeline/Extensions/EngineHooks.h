@@ -1,4 +1,4 @@
-// Which hooks and insertion points each engine version has: one table of hook signatures, one of insertion points. A
+// Lists the hooks and insertion points of each engine version: one table of hook signatures, one of insertion points. A
 // config's `engine` chooses the version of a run; a plugin's ENGINE_MINOR_VERSION which hooks it gets. Source: public
 // plugins that are written for several versions.
 #pragma once
@@ -19,7 +19,7 @@ struct FHookVersions
 	const char* Signature;
 	int32 First;
 	int32 Last;
-	const char* Instead; // what those versions call that do not call this; empty: overriding it is no mistake
+	const char* Instead; // what those versions call that do not call this; empty: overriding it is not a mistake
 	const char* NeverHere = nullptr; // why drydock never calls it, whatever the version; goes on after "which "
 };
 

@@ -7,7 +7,7 @@ namespace Drydock
 
 enum EExtensionError
 {
-	// What a callback returned; the run goes on with the picture untouched unless r.RDG.Validation is 2.
+	// A callback's result is not valid; the run goes on with the picture untouched unless r.RDG.Validation is 2.
 	ErrorCallbackInvalidTexture = 2060, // no texture, or an empty rect
 	ErrorCallbackRect = 2061,           // a rect that is not inside the texture
 	ErrorCallbackOverride = 2062,       // not OverrideOutput, though that was valid

@@ -1,4 +1,4 @@
-// The types that passes and extensions are asked for by.
+// Names the types by which a config asks for passes and extensions.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What the view extensions of a frame were asked and did, and the points of the chain where they could be. Plain data:
-// for run.json, `drydock list hooks` and tests.
+// Records the calls of a frame's view extensions and what they did, and the points of the chain where they could be
+// called. Plain data: for run.json, `drydock list hooks` and tests.
 #pragma once
 
 #include "Diagnostics.h"

@@ -18,15 +18,15 @@ struct FLoadedPlugins
 	std::vector<FIniVariable> IniVariables; // that their ini files set
 };
 
-/** Loads what Config.Plugins names and is not loaded yet, gives its classes the values of its ini files and of
- * Config.Objects, and starts its modules. What does not exist or cannot be loaded is an error in Diagnostics and left
- * out; what is doubtful is a warning there. */
+/** Loads the plugins of Config.Plugins that are not loaded yet, gives their classes the values of their ini files and
+ * of Config.Objects, and starts their modules. A plugin that does not exist or cannot be loaded is an error in
+ * Diagnostics and left out; a doubtful one is a warning there. */
 DRYDOCK_API FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
-/** What a loaded plugin was given values from: its ini files. Plugin: the path of its library. */
+/** The ini files that a loaded plugin was given values from. Plugin: the path of its library. */
 DRYDOCK_API std::vector<std::string> FindPluginIniFiles(const std::string& Plugin);
 
-/** In place of that, for a config that is not trusted with code: each plugin that it names is an error. */
+/** Replaces LoadPlugins for a config that is not trusted with code: each plugin that it names is an error. */
 void RefusePlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// Calls the hooks of the active view extensions, in the engine's order, and writes down what came of each call. The
-// order is the engine's.
+// Calls the hooks of the active view extensions, in the engine's order, and records the result of each call. The order
+// is the engine's.
 #pragma once
 
 #include "Extensions/EngineHooks.h"
@@ -44,14 +44,15 @@ public:
 	 */
 	void Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins);
 	bool IsEmpty() const { return Extensions.empty(); }
-	/** Of all active extensions: the class without namespaces; one of a config bears the name of its type. */
+	/** Names of all active extensions: the class without namespaces; an extension of a config bears the name of its
+	 * type. */
 	std::vector<std::string> GetNames() const;
 
 	// Game thread, in this order; the three in the middle view by view.
 	void SetupViewFamily(FSceneViewFamily& Family);
 	void SetupViewPoint(const std::string& ViewName, FMinimalViewInfo& ViewInfo);
 	void SetupViewProjectionMatrix(const std::string& ViewName, FSceneViewProjectionData& ProjectionData);
-	/** What they change of the settings is appended to Gates, and told in Ledger unless that is null. */
+	/** The settings that extensions change are appended to Gates, and recorded in Ledger unless that is null. */
 	void SetupView(FSceneViewFamily& Family, const FNamedView& View, std::vector<FSettingGate>& Gates,
 		FBlendLedger* Ledger = nullptr);
 	void BeginRenderViewFamily(FSceneViewFamily& Family);
@@ -66,7 +67,7 @@ public:
 		TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures);
 	void PrePostProcess(
 		FRDGBuilder& GraphBuilder, const std::vector<FNamedView>& Views, const FPostProcessingInputs& Inputs);
-	/** What the extensions subscribe to one point, in calling order. */
+	/** The callbacks that extensions subscribe to one point, in calling order. */
 	std::vector<FPassCallback> Subscribe(
 		ISceneViewExtension::EPostProcessingPass Pass, const FNamedView& View, bool bIsPassEnabled);
 	void PostRender(FRDGBuilder& GraphBuilder, FSceneViewFamily& Family, const std::vector<FNamedView>& Views);

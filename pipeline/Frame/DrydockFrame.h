@@ -16,7 +16,7 @@ struct FFrameDesc
 	TArray<FLinearColor> SceneColor;
 	/** Row-major, 0 to 15 (SHADINGMODELID_*); may be empty. Goes to GBufferB's alpha. */
 	TArray<uint8> ShadingModelID;
-	/** By name, "Bloom"; others are as in a game. */
+	/** Show flags by name, "Bloom"; others are as in a game. */
 	TMap<FString, bool> ShowFlags;
 	/** Version of engine 5 whose hooks are called; that of the code which fills this in. */
 	int32 EngineMinorVersion = ENGINE_MINOR_VERSION;
@@ -28,7 +28,7 @@ struct FFrameOutput
 	TArray<FLinearColor> Color;         // row-major, display-encoded
 };
 
-/** Calls every hook of every active extension, once, for one view. Needs no initialisation. What extensions do wrong is
+/** Calls every hook of every active extension, once, for one view. Needs no initialisation. Mistakes of extensions are
  * printed on stderr. Throws FError: a description that makes no sense, mistakes of the graph, and of extensions with
  * r.RDG.Validation 2. Not for two threads at once. */
 DRYDOCK_API FFrameOutput RenderFrame(const FFrameDesc& Desc);

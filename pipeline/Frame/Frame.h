@@ -31,13 +31,13 @@ struct FFrameView
 	FIntRect Rect;      // of the output, and of the scene textures where SceneRect is empty
 	FIntRect SceneRect; // of the scene textures, at another resolution than the output
 	FMinimalViewInfo Camera;
-	/** How the camera projects; Camera says where it stands and, once an extension has changed it, its field of view.
-	 */
+	/** The camera's projection; Camera holds its place and, once an extension has changed it, its field of view.
+	 * */
 	FSceneCamera Lens;
 	FIntRect PictureRect; // what the lens sees, in the scene textures; empty: the view's own Rect
 	float PreExposure = 1.0f;
 	FViewSettings Settings;
-	/** Keeps caches from frame to frame; null: each frame makes its own. What changes pictures comes and goes by
+	/** Keeps caches from frame to frame; null: each frame makes its own. State that changes pictures is passed by
 	 * ViewStates. */
 	std::shared_ptr<FSceneViewState> State;
 	/** Settings for another camera, asked for when an extension moves it; empty: Settings hold everywhere. */
@@ -54,7 +54,7 @@ struct FFrameInputs
 	uint32 FrameNumber = 0;
 	FGameTime Time;
 	std::vector<FFrameView> Views; // one at least
-	/** What the frame before left, view by view; empty before the first. */
+	/** The state that the frame before left, view by view; empty before the first frame. */
 	std::vector<FViewHistory> ViewStates;
 	/** Files of the plugins whose extensions take part; empty optional: all. Extensions of no plugin always do. */
 	std::optional<std::vector<std::string>> Plugins;
@@ -91,7 +91,7 @@ struct FFrameResult
 	// Only of an executed frame.
 	std::vector<FViewHistory> ViewStates; // for the next frame
 	FPicture SceneLinear;                 // RGBA: the tonemapper's input, of all SceneRects; black where no view is
-	FPicture Final;                       // RGBA: display-encoded, of all Rects, likewise
+	FPicture Final;                       // of all Rects; black where no view is
 
 	// Only of one that was not.
 	FRDGCompiledGraph Graph;

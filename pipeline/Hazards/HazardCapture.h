@@ -14,15 +14,15 @@
 namespace Drydock
 {
 
-/** What a pass made of one hazard, beside what it makes of the same picture without it. */
+/** The result of a pass with one hazard, beside its result for the same picture without it. */
 struct FHazardFinding
 {
 	std::string Hazard; // "NaN"; of a parameter "Strength = -1"
 	std::string File;   // of its picture: "NaN"
 	FImage Result;      // RGBA, the first thing that the pass writes
 	uint64_t NumPixels = 0;
-	uint64_t NumNaN = 0;      // pixels of which a channel is
-	uint64_t NumInfinite = 0; // likewise
+	uint64_t NumNaN = 0;      // pixels of which a channel is NaN
+	uint64_t NumInfinite = 0; // pixels of which a channel is infinite
 	uint64_t NumNegative = 0; // of which red, green or blue is below 0
 	uint64_t NumChanged = 0;  // that differ from the clean result
 	int Reach = -1;     // farthest changed pixel from the bad one, along x or y; -1: none, or there is no such pixel
@@ -71,7 +71,7 @@ private:
 DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row, int Width = 0);
 DRYDOCK_API std::string MakeHazardJson(const std::vector<FHazardRow>& Rows);
 
-/** In words: "spreads 2 pixels far: 25 of 4096 are NaN". */
+/** Describes a finding: "spreads 2 pixels far: 25 of 4096 are NaN". */
 DRYDOCK_API std::string DescribeFinding(const FHazardFinding& Finding);
 
 } // namespace Drydock

@@ -17,7 +17,7 @@ struct FHazardPicture
 };
 
 /** One picture, or several where a hazard is several cases: 65520 and 65519, denormals of floats and of halves,
- * positions of a moving light. None of a hazard that is no picture of any size. X, Y: the pixel that is not as the
+ * positions of a moving light. None for a hazard that has no picture of its own. X, Y: the pixel that differs from the
  * others, with one at its right (checked for the moving light). */
 DRYDOCK_API std::vector<FHazardPicture> MakeHazardPictures(EHazard Hazard, int Width, int Height, int X, int Y);
 

@@ -1,4 +1,4 @@
-// The hazards: what breaks other programs, as numbers, sizes and parameters. Columns of docs/stability.md, and what
+// Lists the hazards: numbers, sizes and parameters that break other programs. Columns of docs/stability.md, and what
 // `drydock hazards` runs a pass with.
 #pragma once
 
@@ -7,8 +7,7 @@
 namespace Drydock
 {
 
-/** X(member of a row, group, title, what the case is). What a case of a picture is made of:
- * HazardPictures.cpp. */
+/** X(member of a row, group, title, what the case is). HazardPictures.cpp makes the picture of each case. */
 #define STABILITY_HAZARDS(X) \
 	X(NaN, Values, "NaN", "one pixel of a noise picture is NaN in red, green and blue") \
 	X(PlusInf, Values, "+Inf", "likewise +Inf") \

@@ -1,4 +1,5 @@
-// A frame of one's own as a scene: layers read, meaning guessed, numbers converted, scene and config written.
+// Imports a frame of the user's as a scene: reads layers, guesses their meaning, converts numbers, and writes scene and
+// config.
 #pragma once
 
 #include "Diagnostics.h"
@@ -29,7 +30,7 @@ struct FImportResult
 	std::string Config;              // written; empty: there was one
 };
 
-/** The guesses for a sequence come from its first frame; the other frames follow it. Throws FError: the user's mistakes
+/** The plan of a sequence is guessed from its first frame; the others follow it. Throws FError: the user's mistakes
  * (exit code 2), files that cannot be read or written (3). */
 DRYDOCK_API FImportResult ImportFrame(const FImportOptions& Options);
 

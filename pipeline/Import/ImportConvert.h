@@ -1,4 +1,4 @@
-// From a layer's numbers to a scene's: the formulas, one per kind of channel, and the scene that comes of a plan.
+// Converts a layer's numbers to a scene's: the formulas, one per kind of channel, and the scene that a plan gives.
 #pragma once
 
 #include "Diagnostics.h"
@@ -14,7 +14,7 @@
 namespace Drydock
 {
 
-/** Metres that stand for no surface in depth.Z: the greatest half. */
+/** Metres that mean "no surface" in depth.Z: the greatest half. */
 constexpr float NoSurfaceDepth = 65504.0f;
 
 struct FImportPixel
@@ -56,13 +56,13 @@ struct FImportScene
 	DRYDOCK_API const std::vector<float>* Find(const std::string& Name) const;
 };
 
-/** Completes the encodings from the values: are normals halved, are velocities around 0.5? Asked overrides the
- * result. */
+/** Decides by the numbers what names cannot show of encodings: whether normals are halved, whether velocities are
+ * around 0.5. Values in Asked take precedence. */
 DRYDOCK_API void LookAtValues(
 	FImportPlan& Plan, const FImportPlanes& Planes, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics);
 
-/** Converts all channels. Changed values are reported in Diagnostics. Throws FError (exit code 2) if depth holds rays
- * and the field of view is unknown. */
+/** Converts all channels. Changes that were necessary are appended to Diagnostics. Throws FError (exit code 2) where
+ * rays are asked for and the field of view is not known. */
 DRYDOCK_API FImportScene ConvertImport(const FImportLayers& Layers, const FImportPlan& Plan,
 	const FImportPlanes& Planes, const FImportChoices& Choices, const FImportCamera& Camera,
 	std::vector<FDiagnostic>& Diagnostics);

@@ -1,4 +1,4 @@
-// How a layer's numbers stand for depth, normals or motion, and the words by which options name the ways.
+// Lists the encodings of depth, normals and motion in a layer's numbers, and the words by which options name them.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** Whose conventions hold for a file's layers. */
+/** The origin of a file's layers, whose conventions hold for them. */
 enum class EImportOrigin
 {
 	Plain, // metres, world space with Z up, pixels
@@ -64,14 +64,14 @@ DRYDOCK_API const std::vector<std::string>& GetImportAlphaWords();
 DRYDOCK_API const std::vector<std::string>& GetImportUnitWords();
 DRYDOCK_API double GetMetres(const std::string& Unit);
 
-/** The range of a mist pass of Blender, in metres. */
+/** The inputs of Blender's mist, metres. */
 struct FImportMist
 {
 	double Start = 0.0;
 	double Depth = 25.0;
 };
 
-/** The encoding of one row; members that do not concern its channels have no effect. */
+/** Encoding of one row; members that do not concern its channels have no effect. */
 struct FImportEncoding
 {
 	std::string Unit = "m";
@@ -84,7 +84,7 @@ struct FImportEncoding
 	EImportAlpha Alpha = EImportAlpha::Premultiplied;
 };
 
-/** The values that options give instead of guesses. */
+/** Values that options give in place of guesses. */
 struct FImportAsked
 {
 	std::vector<std::string> Maps; // LAYER=CHANNEL

@@ -1,4 +1,5 @@
-// The figures of an import, which make a wrong unit visible, and warnings about values that are unusual in a frame.
+// Measures the result of an import, so that a wrong unit is seen at once, and warns of values that are unlikely in a
+// frame.
 #pragma once
 
 #include "Diagnostics.h"

@@ -1,4 +1,4 @@
-// From layers to channels: which layer becomes what, by their names and by what the user asks for. No pixel is read.
+// Guesses which layer becomes which channel, by the layers' names and the user's options. No pixel is read.
 #pragma once
 
 #include "Diagnostics.h"
@@ -40,11 +40,11 @@ struct FImportPlan
 	DRYDOCK_API const FImportRow* Find(const std::string& Group) const;
 };
 
-/** Whose layers a file has, by its header and their names. */
+/** Finds the origin of a file's layers, by its header and their names. */
 DRYDOCK_API EImportOrigin FindImportOrigin(const FImportLayers& Layers, size_t File);
 
-/** Doubts are appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of
- * different sizes, options that name what is not there; all of these together. */
+/** Doubts are appended to Diagnostics. Throws FError (exit code 2): no layer is colour, layers of pictures of different
+ * sizes, options that name layers or channels that do not exist; all of these together. */
 DRYDOCK_API FImportPlan GuessImport(
 	const FImportLayers& Layers, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics);
 

@@ -1,4 +1,4 @@
-// The layers of a frame's files, from their headers: which there are, whose they are, which channels they have. No
+// Reads the layers of a frame's files from their headers: their names, the files they belong to, and their channels. No
 // pixel is read.
 #pragma once
 
@@ -26,7 +26,7 @@ struct FImportLayer
 	int Part = 0;
 	std::string Name;       // "FinalImageWorldNormal", "ViewLayer.Depth"; empty: the file's main picture
 	std::string Label = {}; // what it is called in messages and by --map: its name, or the file's
-	std::string Hint = {};  // the text that its meaning is guessed from: the same without the number of a frame
+	std::string Hint = {};  // what its meaning is guessed from: its name, or the file's without the number of a frame
 	std::vector<FImportChannel> Channels = {}; // by slot, each once
 
 	/** Null where it has none there. */
@@ -39,7 +39,7 @@ struct FImportPart
 	int Height = 0;
 	FImageWindow Window;
 
-	/** The size of the whole picture, of which this layer may hold a part. */
+	/** Width of the picture that the part belongs to. */
 	int GetFullWidth() const { return Window.FullWidth > 0 ? Window.FullWidth : Width; }
 	int GetFullHeight() const { return Window.FullHeight > 0 ? Window.FullHeight : Height; }
 };
@@ -68,7 +68,7 @@ struct FImportSource
 	bool operator==(const FImportSource&) const = default;
 };
 
-/** A channel's name as its layer and its slot; -1 if the last word is not a component. */
+/** A channel's name as its layer and its slot; the slot is -1 where the last word is not a component. */
 struct FImportChannelName
 {
 	std::string Layer;

@@ -1,4 +1,4 @@
-// Reads --map: each entry makes a layer or channel a group or channel of the scene.
+// Holds the values of --map: which layer or channel becomes which group or channel of the scene.
 #pragma once
 
 #include "Diagnostics.h"
@@ -23,7 +23,8 @@ struct FImportMaps
 	/** Whether guesses have nothing to say about a layer. */
 	bool IsSpokenFor(size_t Layer) const;
 
-	/** Fills the sources of a target; false if --map does not name it. A missing component of a layer is an error. */
+	/** Fills the sources of a target; false where nothing is asked for it. A component that the layer lacks is an
+	 * error. */
 	bool Apply(const FImportTarget& Target, const FImportLayers& Layers,
 		std::vector<std::optional<FImportSource>>& Sources, std::vector<FDiagnostic>& Errors) const;
 };

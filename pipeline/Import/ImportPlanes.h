@@ -21,9 +21,9 @@ struct FImportPlanes
 	const std::vector<float>& Get(const FImportSource& Source) const { return Planes.at({Source.Layer, Source.Slot}); }
 };
 
-/** Reads what the plan's rows name, and More as it stands in the file, each part of each file once. Data windows are
- * laid into the picture: what reaches over its edges is cut, what is missing is infinitely far in depths and 0 in all
- * else, and both are said in Diagnostics. Throws FError (exit code 3) where a file is broken. */
+/** Reads the channels that the plan's rows name, and those of More as they stand in the file, each part of each file
+ * once. Data windows are laid into the picture: pixels beyond its edges are cut, missing ones are infinitely far in
+ * depths and 0 in all else. Diagnostics reports both. Throws FError (exit code 3) where a file is broken. */
 DRYDOCK_API FImportPlanes ReadImportPlanes(const FImportLayers& Layers, const FImportPlan& Plan,
 	const std::vector<FImportSource>& More, std::vector<FDiagnostic>& Diagnostics);
 

@@ -1,4 +1,4 @@
-// From the primaries that a file's "chromaticities" name to those of a scene, Rec.709.
+// Converts colours from the primaries of a file's "chromaticities" to those of a scene, Rec.709.
 #pragma once
 
 #include "DrydockAPI.h"

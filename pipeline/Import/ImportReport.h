@@ -1,4 +1,4 @@
-// The report of an import: layers and their channels, with encodings and figures; layers left out, missing channels.
+// Reports an import: which layer became which channel, and how, with figures; what was left out and what is missing.
 #pragma once
 
 #include "Import/ImportConvert.h"
@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** The contents of a report. */
+/** The data that a report is made of. */
 struct FImportStory
 {
 	const FImportLayers& Layers;
@@ -21,7 +21,7 @@ struct FImportStory
 /** A row's layer with its components: "FinalImageWorldNormal.RGB". */
 DRYDOCK_API std::string DescribeSource(const FImportLayers& Layers, const FImportRow& Row);
 
-/** How a row's numbers are taken: "cm along the axis", "0..1, Unreal's world". */
+/** Describes how a row's numbers are read: "cm along the axis", "0..1, Unreal's world". */
 DRYDOCK_API std::string DescribeEncoding(const FImportRow& Row);
 
 DRYDOCK_API std::string FormatImportTable(const FImportStory& Story, int Width = 0);

@@ -1,5 +1,5 @@
-// The possible targets of a frame's layers: the channels of a scene in groups, each with one encoding. Channels and
-// their units: configs/scenes/README.md.
+// Lists what a frame's layers can become: the channels of a scene in groups, each with one way of being encoded.
+// Channels and their units: configs/scenes/README.md.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -25,14 +25,14 @@ struct FImportTarget
 	const char* Group; // as --map takes it; a channel's own name does too
 	std::vector<std::string> Channels;
 	EImportKind Kind;
-	/** How many of the channels, from the first, a layer has to give. */
+	/** Number of the channels, from the first, that a layer has to give. */
 	size_t NumNeeded;
 };
 
 /** Colour first. */
 DRYDOCK_API const std::vector<FImportTarget>& GetImportTargets();
 
-/** By group, or null. */
+/** Finds the target of a group, or null. */
 DRYDOCK_API const FImportTarget* FindImportTarget(const std::string& Group);
 
 /** A name for layers: the rule that it follows. */

@@ -1,4 +1,4 @@
-// What the shaders of a run do wrong, found while the frame runs: `drydock run --check`.
+// Finds faults of a run's shaders while the frame runs: `drydock run --check`.
 #pragma once
 
 #include "CoreMinimal.h"

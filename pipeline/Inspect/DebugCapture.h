@@ -1,5 +1,5 @@
-// A debugger's stop in the shaders of a run: beside each pass its shader runs once more for one pixel, in a form that
-// gdb knows lines and variables of.
+// A debugger's stop in the shaders of a run: beside each pass its shader runs once more for one pixel, in a form whose
+// lines and variables gdb knows.
 #pragma once
 
 #include "DebuggedShader.h"
@@ -52,14 +52,15 @@ private:
 	const FDebuggedShader* FindShader(const FBoundShader& Shader, const std::string& Pass);
 
 	const FDebugRequest Request;
-	/** By permutation, and whether it runs by quads. Null: it cannot be. */
+	/** Shaders by permutation, and whether they run by quads. Null: the shader cannot be debugged. */
 	std::map<std::pair<FShader*, bool>, std::unique_ptr<FDebuggedShader>> Shaders;
 	std::vector<FDebuggedPass> Passes;
 	std::vector<FDiagnostic> Problems;
 	std::vector<std::string> Others; // passes that do not fit, or do not have the pixel
 };
 
-/** Of "X,Y" or "X,Y,Z" on the command line. Frame: size of the frame that comes out. Throws FError (DD1020). */
+/** Makes the request from "X,Y" or "X,Y,Z" on the command line. Frame: size of the resulting frame. Throws FError
+ * (DD1020). */
 DRYDOCK_API FDebugRequest MakeDebugRequest(
 	const std::string& Pixel, const std::string& Passes, const std::array<int32_t, 2>& Frame);
 

@@ -1,4 +1,4 @@
-// Pictures of what was found inside shaders: masks, values stretched to their range, cost.
+// Makes pictures of the values found inside shaders: masks, values stretched to their range, cost.
 #pragma once
 
 #include "Inspect/CheckCapture.h"
@@ -14,7 +14,7 @@ DRYDOCK_API FImage MakeMask(const FPassFinding& Finding);
 /** The values, NaN where the line did not run. */
 DRYDOCK_API FImage MakeValueImage(const FLineValues& Values);
 
-/** What a value picture says in words and how it is looked at. */
+/** The range of a value picture, for its description and its display. */
 struct FValueRange
 {
 	double Least = 0; // of all channels, what is finite
@@ -31,7 +31,7 @@ DRYDOCK_API FImage MakeStretched(const FLineValues& Values, const FValueRange& R
 /** Taps and operations of each pixel, two channels. */
 DRYDOCK_API FImage MakeCostImage(const FCostMap& Map);
 
-/** To look at: black is nothing, pale yellow the dearest pixel by operations. */
+/** Makes a picture of the cost to look at: black means none, pale yellow the most expensive pixel by operations. */
 DRYDOCK_API FImage MakeCostPreview(const FCostMap& Map);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// What lines of shaders come to over a whole frame, collected while it runs: values as pictures, coverage, cost.
+// Collects the values of shader lines over a whole frame, while it runs: values as pictures, coverage, cost.
 #pragma once
 
 #include "CostMap.h"

@@ -1,4 +1,4 @@
-// What shaders print while a frame runs: `drydock run --print`.
+// Captures what shaders print while a frame runs: `drydock run --print`.
 #pragma once
 
 #include "DispatchObserver.h"
@@ -26,7 +26,7 @@ public:
 
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** Of passes that print anything, in their order; all together at most MaxPrintedLines. */
+	/** Prints of the passes that print anything, in their order; all together at most MaxPrintedLines. */
 	const std::vector<FPassPrints>& GetPrints() const { return Prints; }
 	/** Whether a shader that ran has a print at all. */
 	bool CanPrint() const { return bCanPrint; }

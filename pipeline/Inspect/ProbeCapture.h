@@ -1,4 +1,4 @@
-// A pixel's value through all passes of a run: what each read for it and what it wrote.
+// Follows a pixel through all passes of a run: the values that each pass read for it and wrote.
 #pragma once
 
 #include "DispatchObserver.h"
@@ -23,7 +23,7 @@ struct FProbeRequest
 	std::array<int32_t, 2> Frame = {}; // size of what X and Y count in; 0: each pass's own
 };
 
-/** What a pass read of a texture for the pixel. */
+/** One texture that a pass read for the pixel, and what it read. */
 struct FProbeRead
 {
 	std::string Texture;                 // as the shader calls it
@@ -63,7 +63,7 @@ public:
 	const std::vector<FProbePass>& GetPasses() const { return Passes; }
 
 private:
-	/** Of the request's pixel in a picture of another size: the texel that covers its centre. */
+	/** Maps the request's pixel to a picture of another size: to the texel that covers its centre. */
 	std::array<int32_t, 2> Map(int32_t X, int32_t Y, int32_t SizeX, int32_t SizeY) const;
 	void AddReads(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass);
 	void AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const;
@@ -74,7 +74,7 @@ private:
 	bool bProbing = false; // the dispatch that runs
 };
 
-/** Where two probes part: the first pass whose texels differ. */
+/** The place where two probes part: the first pass whose texels differ. */
 struct FProbeDifference
 {
 	size_t Pass = 0;

@@ -1,4 +1,4 @@
-// What somebody wants to know about the shaders of a run, and the answers: findings, pictures, printed lines.
+// Inspects the shaders of a run as asked, and holds the answers: findings, pictures, printed lines.
 #pragma once
 
 #include "DispatchObserver.h"
@@ -39,14 +39,14 @@ public:
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** Nobody asked for anything. */
+	/** Whether nothing was asked for. */
 	bool IsEmpty() const { return Options.IsEmpty(); }
 
-	/** What checks found, prints that nobody made, what a debugger does not get. */
+	/** The findings of checks, requested prints that no shader made, and what a debugger does not get. */
 	std::vector<FDiagnostic> GetDiagnostics() const;
 
-	/** Writes pictures and lists into Folder/inspect, and returns what is to be said of them, a line each. Throws
-	 * FError: a place that gave no value (exit code 2), a file that cannot be written (3). */
+	/** Writes pictures and lists into Folder/inspect, and returns a report on them, a line each. Throws FError: a place
+	 * that gave no value (exit code 2), a file that cannot be written (3). */
 	std::string Write(const std::filesystem::path& Folder, int Width = 0) const;
 
 private:

@@ -21,7 +21,7 @@ struct FTraceRequest
 	uint64_t MaxSteps = 1'000'000'000;
 };
 
-/** Where the float trace and the one in double say different things. */
+/** A place where the float trace and the one in double differ. */
 struct FTraceDifference
 {
 	size_t Line = 0;  // index into the lines of the float trace
@@ -70,7 +70,7 @@ private:
 DRYDOCK_API std::optional<FTraceDifference> FindDifference(
 	const FPixelTrace& Float, const FPixelTrace& Double, double Bound);
 
-/** For a person: lines of the source with what they did. */
+/** Writes a trace for a person: lines of the source with what they did. */
 DRYDOCK_API std::string MakeTraceText(const FCapturedTrace& Trace, const FTraceRequest& Request);
 DRYDOCK_API std::string MakeTraceJson(const std::vector<FCapturedTrace>& Traces, const FTraceRequest& Request);
 

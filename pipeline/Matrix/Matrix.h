@@ -1,5 +1,5 @@
-// `drydock matrix`: one plugin compiled for and run under several engine versions, each in a process of its own, and
-// what came of it side by side.
+// `drydock matrix`: one plugin compiled for and run under several engine versions, each in a process of its own, with
+// the results side by side.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -19,7 +19,7 @@ struct FMatrixRequest
 	std::vector<int> Minors;           // ascending; see ParseMatrixVersions
 	std::string OutputFolder;          // empty: build/NAME-matrix, below the working folder
 	std::vector<std::string> Excludes; // as of FPluginBuild
-	std::string Compiler;              // likewise
+	std::string Compiler;              // as of FPluginBuild
 	std::string Program;               // drydock's own, which is started for each version; empty: this process's
 	/** The text of matrix.html, which is written beside the others; none: it is not. */
 	std::function<std::string(const FVersionMatrix& Matrix)> MakePage;
@@ -28,12 +28,12 @@ struct FMatrixRequest
 };
 
 /** Builds, runs, compares, and writes matrix.txt, matrix.json, matrix.png (the pictures side by side) and what MakePage
- * makes to the output folder; below it 5.X/ is the build of 5.X, 5.X/run/ its run. What does not build or crashes is in
- * the result. Throws FError: exit code 2 where there is nothing to build or no tool to build it with, 3 where files
- * cannot be read or written. */
+ * makes to the output folder; below it 5.X/ is the build of 5.X, 5.X/run/ its run. Failed builds and crashes are in the
+ * result. Throws FError: exit code 2 where there is nothing to build or no tool to build it with, 3 where files cannot
+ * be read or written. */
 DRYDOCK_API FVersionMatrix RunMatrix(const FMatrixRequest& Request);
 
-/** What `drydock run` is told for one version. */
+/** The arguments of `drydock run` for one version. */
 DRYDOCK_API std::vector<std::string> MakeRunArguments(
 	const std::string& Program, const FVersionMatrix& Matrix, const FMatrixRow& Row);
 

@@ -1,4 +1,4 @@
-// What the compiler and the linker said, out of the text that cmake's build prints. Pure: texts in, data out.
+// Extracts the messages of compiler and linker from the text that cmake's build prints. Pure: texts in, data out.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -19,15 +19,15 @@ struct FBuildStep
 	bool operator==(const FBuildStep&) const = default;
 };
 
-/** The steps of what ninja or make printed: each begins with a line "[2/5] NAME" or "[ 40%] NAME". What stands before
- * the first one is left out. */
+/** The steps of a log of ninja or make: each begins with a line "[2/5] NAME" or "[ 40%] NAME". Text before the first
+ * step is left out. */
 DRYDOCK_API std::vector<FBuildStep> ReadBuildSteps(const std::string& Log);
 
 /** A text that ReadBuildSteps reads as Steps. */
 DRYDOCK_API std::string WriteBuildSteps(const std::vector<FBuildStep>& Steps);
 
-/** A build does again only what is out of date, and says nothing of the rest: the steps of Before that Now does not
- * have, then those of Now. */
+/** Merges the steps of two builds, because a build repeats and prints only steps that are out of date: the steps of
+ * Before that Now does not have, then those of Now. */
 DRYDOCK_API std::vector<FBuildStep> MergeBuildSteps(
 	const std::vector<FBuildStep>& Before, const std::vector<FBuildStep>& Now);
 

@@ -15,7 +15,7 @@ namespace Drydock
 /** None: every value has the same bits, NaN of any kind counting as one. */
 DRYDOCK_API std::optional<FPictureDifference> ComparePictures(const FImage& Before, const FImage& Now);
 
-/** Of size and values. */
+/** Fingerprint of size and values. */
 DRYDOCK_API std::string FingerprintPicture(const FImage& Picture);
 
 /** The first pass, in the order of the graph, that is new, gone, another, culled or run otherwise, has another shader

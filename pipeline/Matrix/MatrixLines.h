@@ -1,4 +1,4 @@
-// Lines of logs, as readers take them that look at them by regular expressions.
+// Splits logs into lines, for readers that search them by regular expressions.
 #pragma once
 
 #include <charconv>
@@ -7,8 +7,8 @@
 namespace Drydock
 {
 
-/** As much of a line as is looked at: std::regex calls itself for every character, and a line of some 20,000 fills the
- * stack. Compilers write such lines about templates. */
+/** Cuts a line to the length that is searched: std::regex calls itself for every character, and a line of some 20,000
+ * fills the stack. Compilers write such lines about templates. */
 inline std::string CutLine(const std::string& Line)
 {
 	size_t End = 2000;
@@ -23,7 +23,7 @@ inline std::string CutLine(const std::string& Line)
 	return Line.substr(0, End);
 }
 
-/** 0 where the digits are no number of a line. */
+/** 0 where the digits are not the number of a line. */
 inline int ReadLineNumber(const std::string& Digits)
 {
 	int Number = 0;

@@ -1,5 +1,5 @@
-// What `drydock matrix` finds out of one plugin under several engine versions: plain data, which table, JSON and tests
-// read.
+// Holds the results of `drydock matrix` for one plugin under several engine versions: plain data, which table, JSON and
+// tests read.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** What a compiler or drydock said. */
+/** A message of a compiler or of drydock. */
 struct FMatrixMessage
 {
 	int Code = 0;           // 2070 of DD2070; 0: the compiler's, or no message of drydock's
@@ -57,7 +57,7 @@ struct FMatrixRun
 	bool Ran() const { return ExitCode == 0; }
 };
 
-/** How two pictures differ. */
+/** The difference of two pictures. */
 struct FPictureDifference
 {
 	bool bOtherSize = false; // then nothing else is known

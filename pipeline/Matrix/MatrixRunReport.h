@@ -1,4 +1,4 @@
-// What a run said and did, out of what it printed and its run.json. Pure: texts in, data out.
+// Reads the results of a run from its output and its run.json. Pure: texts in, data out.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,5 +1,5 @@
-// A matrix as its reader sees it: a table with a row for each version, what was said, and what it comes to. Pure: data
-// in, text out.
+// Writes a matrix for its reader: a table with a row for each version, the messages, and the summary. Pure: data in,
+// text out.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -15,12 +15,13 @@ DRYDOCK_API std::string FormatMatrix(const FVersionMatrix& Matrix, int Width = 0
 
 /** {plugin, folder, config, versions: [{engine, builds, firstError, compilerWarnings, notes, library, log, run:
  * {exitCode, end, firstError, warnings, extensions, folder}, picture: {fingerprint, before, same, max, pixels, first,
- * sameAs}, firstDifference: {pass, what}}], summary, advice, passed}. A message: {code, file, line, where, text}. What
- * there is none of is null. */
+ * sameAs}, firstDifference: {pass, what}}], summary, advice, passed}. A message: {code, file, line, where, text}. A
+ * missing value is null. */
 DRYDOCK_API std::string MakeMatrixJson(const FVersionMatrix& Matrix);
 
-/** For JUnit: "5.3 builds", "5.3 runs" and "5.3 picture" of every version. What does not compile or does not run fails;
- * a picture that is another one than before does not, its case says so. */
+/** Makes the cases for JUnit: "5.3 builds", "5.3 runs" and "5.3 picture" of every version. A version that does not
+ * compile or run fails. A picture that differs from the one before does not fail, but its case reports the difference.
+ */
 DRYDOCK_API std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix);
 
 } // namespace Drydock

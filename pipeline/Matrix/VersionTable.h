@@ -1,5 +1,5 @@
-// What drydock does differently from one engine version to the next, as a table for docs/versions.md, made from the
-// tables that the program obeys: FEngineProfile, hooks and insertion points.
+// Writes the differences between drydock's engine versions as a table for docs/versions.md, made from the tables that
+// the program obeys: FEngineProfile, hooks and insertion points.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -9,7 +9,8 @@
 namespace Drydock
 {
 
-/** Markdown: a row for each difference, a column for each version. What is the same in all of them has no row. */
+/** Markdown: a row for each difference, a column for each version. Behaviour that is the same in all versions has no
+ * row. */
 DRYDOCK_API std::string MakeVersionTable();
 
 } // namespace Drydock

@@ -39,7 +39,7 @@ struct FIniSection
 DRYDOCK_API std::vector<FIniSection> ReadIniText(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
 
-/** In any case of letters. */
+/** Whether two names are equal in any case of letters. */
 bool IsSameName(const std::string& A, const std::string& B);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// Values for a plugin's own objects: what the ini files in its folder Config say, then what the config says under
+// Gives a plugin's own objects their values: those of the ini files in its folder Config, then those of the config's
 // "objects". They reach a class's default object and its subsystem before the plugin's modules start, and every object
 // of the class that is made later. Source of the rules of ini files: Epic's page "Configuration Files".
 #pragma once
@@ -39,15 +39,15 @@ public:
 	 * an ini file a warning. */
 	void GiveTo(const std::string& Library);
 
-	/** Once the plugin's modules have started: those of its classes that "objects" names and that are actors are placed
-	 * in the world, with their values; where the plugin has spawned one itself, none. */
+	/** Places in the world, with their values, those of the plugin's classes that "objects" names and that are actors.
+	 * Called once the plugin's modules have started. A class that the plugin has spawned itself is left out. */
 	void PlaceActors(const std::string& Library) const;
 
-	/** Once all plugins are there: names of "objects" that none of them has are errors. bAllLoaded: no plugin is
-	 * missing. */
+	/** Called once all plugins are loaded: names of "objects" that none of them has are errors. bAllLoaded: no plugin
+	 * is missing. */
 	void ReportUnknownClasses(bool bAllLoaded);
 
-	/** What ini files of all plugins set, in their order. */
+	/** The variables that ini files of all plugins set, in their order. */
 	const std::vector<FIniVariable>& GetVariables() const { return Variables; }
 
 private:
@@ -61,7 +61,7 @@ private:
 	std::vector<std::string> ClassNames;
 };
 
-/** Sets them; what cannot be set is said. */
+/** Sets the variables; those that cannot be set are reported. */
 DRYDOCK_API void ApplyIniVariables(const std::vector<FIniVariable>& Variables, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// Values of an ini file as the property they are for wants them: numbers, True and False, names, and the engine's text
-// of structs and arrays, (X=1,Y=2) and (1,2,3).
+// Reads values of an ini file by the type of their property: numbers, True and False, names, and the engine's text of
+// structs and arrays, (X=1,Y=2) and (1,2,3).
 #pragma once
 
 #include "Objects/IniText.h"
@@ -12,8 +12,8 @@
 namespace Drydock
 {
 
-/** The value for a property of that type; nothing where the text is of no form that it could have. Whether the property
- * takes the value, WriteProperty says. */
+/** The value for a property of that type; nothing if the text has no form of such a value. WriteProperty decides
+ * whether the property takes the value. */
 DRYDOCK_API std::optional<FPropertyValue> ReadPropertyText(
 	const FPropertyType& Type, const std::vector<FIniValue>& Values);
 

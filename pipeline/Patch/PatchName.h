@@ -1,4 +1,4 @@
-// Which names a patch can have: its files, its module, its C++ classes and its CMake target all bear it.
+// Checks the name of a patch, which its files, its module, its C++ classes and its CMake target all bear.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -31,10 +31,11 @@ struct FBuiltPlugin
 	std::vector<std::string> Notes; // what was left out and why, a line each
 };
 
-/** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 where neither says. */
+/** The 5.x that the engine version in a plugin's .uplugin, or in a .uproject above it, means; 0 if neither has a
+ * version. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
 
-/** The name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */
+/** Name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */
 DRYDOCK_API std::string FindPluginName(const std::string& Folder);
 
 /** The CMakeLists.txt that builds it. Package: folder of drydockConfig.cmake. */

@@ -1,4 +1,4 @@
-// What OpenEXR reads from and writes to: a file or bytes in memory, and a file whose every write is looked at.
+// Implements OpenEXR's streams: a file or bytes in memory to read, and a file whose every write is checked.
 #pragma once
 
 #include "Picture/ImageReader.h"

@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What an EXR file says before its pixels. */
+/** The header of an EXR file. */
 struct FExrDescription
 {
 	int Width = 0;

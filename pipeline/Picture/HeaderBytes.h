@@ -1,4 +1,5 @@
-// The bytes of an image file for those who look at its header: read in order, from anywhere, and never behind the end.
+// Gives the bytes of an image file to code that checks its header: read in order, from anywhere, and never behind the
+// end.
 #pragma once
 
 #include "RHIDefinitions.h"
@@ -15,7 +16,8 @@ namespace Drydock
 constexpr int64_t MaxImageSide = GMaxTextureDimensions;
 constexpr int64_t MaxImagePixels = int64_t(1) << 28;
 
-/** Multi-byte numbers are read as they lie in memory, least byte first, unless a name says otherwise. */
+/** Multi-byte numbers are read as they lie in memory, least byte first, unless a function's name states another order.
+ */
 class FHeaderBytes
 {
 public:

@@ -1,4 +1,4 @@
-// An image file that lies in memory, for those who read thousands a second.
+// Reads an image file from memory, for callers that read thousands a second.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -30,7 +30,7 @@ struct FImage
 	}
 };
 
-/** Which pixels are the picture of a file. */
+/** The pixels that are the picture of a file. */
 enum class EImageExtent : uint8_t
 {
 	Stored, // those that the file holds
@@ -53,7 +53,7 @@ public:
 	int GetHeight() const { return Height; }
 	/** Says in one sentence what Extent cuts and lacks; empty: nothing. */
 	std::string DescribeExtent() const;
-	/** Where these pixels lie in the picture that the file stands for; with FullWidth and FullHeight. */
+	/** Position of these pixels in the picture that the file belongs to; with FullWidth and FullHeight. */
 	const FImageWindow& GetWindow() const { return GetParts()[0].Window; }
 	/** Names as in the file: "R", "depth.Z". */
 	const std::vector<std::string>& GetChannels() const { return GetParts()[0].Channels; }

@@ -1,5 +1,5 @@
-// How far two images are apart: figures of error, and a map of where it is. All in double, summed in one order: equal
-// images give equal bits. Source of SSIM: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error
+// Measures the difference of two images: figures of error, and a map of the error. All in double, summed in one order:
+// equal images give equal bits. Source of SSIM: Wang, Bovik, Sheikh, Simoncelli, "Image Quality Assessment: From Error
 // Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** What an image's numbers mean. */
+/** The meaning of an image's numbers. */
 enum class EImageEncoding
 {
 	Display, // sRGB-encoded, 0..1
@@ -44,7 +44,7 @@ struct FImageError
 	double Psnr = 0.0;
 	/** 1 at most, 1 where nothing differs: see ComputeSsim. */
 	double Ssim = 1.0;
-	/** What PSNR counts from: the reference's largest value, at least 1. */
+	/** The peak of PSNR: the reference's largest value, at least 1. */
 	double Peak = 1.0;
 	/** Values that are NaN or infinite in one image and something else in the other. Then Max, Rms and Relative are
 	 *  infinite; those alike in both images do not count as an error. */
@@ -61,9 +61,9 @@ DRYDOCK_API const std::vector<std::string>& GetMetricNames();
 DRYDOCK_API bool IsHigherBetter(const std::string& Metric);
 
 /** Mean structural similarity as its authors compute it: Gaussian window of 11 x 11 with sigma 1.5, K1 = 0.01, K2 =
- * 0.03, L = 1, over all windows that lie inside; an image less than 11 wide or high has one window across that side. Of
- * the luminance (Rec.709) of the display-encoded colours: linear images are clamped to 0..1 and sRGB-encoded first. Of
- * one or two channels: of the first. NaN counts as 0. */
+ * 0.03, L = 1, over all windows that lie inside; an image less than 11 wide or high has one window across that side. It
+ * is computed on the luminance (Rec.709) of the display-encoded colours: linear images are clamped to 0..1 and
+ * sRGB-encoded first. An image of one or two channels uses the first. NaN counts as 0. */
 DRYDOCK_API double ComputeSsim(const FImage& A, const FImage& B, EImageEncoding Encoding);
 
 /** sRGB curve, of a value clamped to 0..1; NaN gives 0. */

@@ -19,7 +19,7 @@ struct FImagePlane
 
 	float Get(size_t Pixel) const { return Halves.empty() ? Floats[Pixel] : imath_half_to_float(Halves[Pixel]); }
 
-	/** From now on as floats. */
+	/** Converts the values to floats, and keeps them so. */
 	void MakeFloats()
 	{
 		if (!Halves.empty())

@@ -1,5 +1,5 @@
-// What a reader of image files gives, whatever the format: parts with all that their headers say, and channels as they
-// are stored. One reader to a library: OpenEXR's, libpng's, and OpenImageIO's for all other formats.
+// Defines the result of an image reader, for every format: parts with all members of their headers, and channels as
+// they are stored. There is one reader for each library: OpenEXR's, libpng's, and OpenImageIO's for all other formats.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace Drydock
 
 struct FImagePlane;
 
-/** Where an image lies in a larger one, of which only this part is in the file: an EXR's data window in its display
+/** Position of an image in a larger one, of which only this part is in the file: an EXR's data window in its display
  * window. Pixels. */
 struct FImageWindow
 {

@@ -1,5 +1,5 @@
-// All other image formats, by OpenImageIO. It brings hundreds of libraries with it and stays in a module of its own,
-// which is loaded when a picture in such a format is first opened.
+// Reads all other image formats, by OpenImageIO. It brings hundreds of libraries with it and stays in a module of its
+// own, which is loaded when a picture in such a format is first opened.
 #pragma once
 
 #include "Picture/ImageReader.h"
@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** Of the module: Format is OpenImageIO's name of the reader; null with the reason in OutFault. */
+/** The function of the module: Format is OpenImageIO's name of the reader; null with the reason in OutFault. */
 using FMakeOpenImageIOReader = IImageReader* (*)(const char* Path, FImageBytesPointer Bytes, const char* Format,
 	std::string& OutFault);
 

@@ -18,7 +18,7 @@ public:
 	/** NumChannels: the first ones; those that the format lacks are 0, alpha 1. Rect lies inside the mip (checked). */
 	FPicture(TRefCountPtr<FRHITexture> InTexture, const FIntRect& InRect, int InNumChannels = 4);
 
-	/** Of a target of the pool, which does not go back there while the picture lives. */
+	/** Holds a target of the pool, which does not go back there while the picture lives. */
 	FPicture(TRefCountPtr<IPooledRenderTarget> InTarget, const FIntRect& InRect, int InNumChannels = 4);
 
 	/** A copy of a whole mip in the texture's own format, with the channels that the format has. */
@@ -62,7 +62,8 @@ private:
 	FIntPoint Corner = FIntPoint(0, 0);
 };
 
-/** As WriteExr of an image: half floats where FitsHalf. As many names as the picture has channels. */
+/** Writes an EXR file as WriteExr of an image does: half floats where FitsHalf. As many names as the picture has
+ * channels. */
 DRYDOCK_API void WriteExr(const std::string& Path, const FPicture& Picture,
 	const std::vector<std::string>& ChannelNames, const std::map<std::string, std::string>& Attributes = {},
 	const FImageWindow& Window = {});

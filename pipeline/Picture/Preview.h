@@ -1,5 +1,5 @@
-// PNG files of pictures to look at: of a final picture what an sRGB display can show, of any other values a preview.
-// Source of the transfer functions: SMPTE ST 2084, ITU-R BT.709, BT.2020, IEC 61966-2-1.
+// PNG files of pictures to look at: for a final picture the colours that an sRGB display can show, for any other values
+// a preview. Source of the transfer functions: SMPTE ST 2084, ITU-R BT.709, BT.2020, IEC 61966-2-1.
 #pragma once
 
 #include "Picture/Picture.h"
@@ -19,8 +19,8 @@ DRYDOCK_API std::array<double, 3> MakeDisplayColor(
  */
 DRYDOCK_API void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayOutputFormat OutputDevice);
 
-/** To look at: values as they are where all lie in 0..1, else compressed by x / (1 + x); then sRGB. No alpha; two
- * channels are red and green. Throws as above. */
+/** Writes a picture to look at: values as they are where all lie in 0..1, else compressed by x / (1 + x); then sRGB. No
+ * alpha; two channels are red and green. Throws as above. */
 DRYDOCK_API void WritePreviewPng(const std::string& Path, const FPicture& Picture);
 DRYDOCK_API void WritePreviewPng(const std::string& Path, const FImage& Image);
 

@@ -14,11 +14,12 @@ namespace Drydock
 /** Display-encoded red, green and blue, 0..1. */
 using FTextColor = std::array<double, 3>;
 
-/** From the left edge of the first letter to the right edge of the last, in pixels. CapHeight: of a capital letter. */
+/** Width from the left edge of the first letter to the right edge of the last, in pixels. CapHeight: of a capital
+ * letter. */
 DRYDOCK_API double GetStrokeTextWidth(const std::string& Text, double CapHeight);
 
 /** Draws over a picture of three channels. X: left edge of the first letter; Baseline: where letters stand, downwards
- * from the top; both in pixels. What lies outside the picture is left out. Legible from a CapHeight of 7 on. */
+ * from the top; both in pixels. Parts outside the picture are left out. Legible from a CapHeight of 7 on. */
 DRYDOCK_API void DrawStrokeText(
 	FImage& Picture, double X, double Baseline, const std::string& Text, double CapHeight, const FTextColor& Color);
 

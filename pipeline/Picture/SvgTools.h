@@ -41,13 +41,13 @@ DRYDOCK_API std::string Px(double Number);
 /** Four significant digits. */
 DRYDOCK_API std::string ShortText(double Number);
 
-/** For text and attributes; control characters become blanks. */
+/** Escapes text for elements and attributes; control characters become blanks. */
 DRYDOCK_API std::string EscapeXml(const std::string& Text);
 
 /** A longer name ends in an ellipsis. UTF-8 stays whole. */
 DRYDOCK_API std::string ShortenText(const std::string& Text, size_t MaxCharacters);
 
-/** Text whose base line begins, or is aligned as the class says, at X, Y. Class: empty for none. */
+/** Text whose base line begins at X, Y, or is aligned there by its class. Class: empty for none. */
 DRYDOCK_API std::string SvgText(double X, double Y, const std::string& Class, const std::string& Text);
 
 /** The same with markup inside, such as <tspan>. */
@@ -64,15 +64,15 @@ DRYDOCK_API std::string SvgPathData(const std::vector<FSvgPoint>& Points);
 DRYDOCK_API std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
 
 /** Opens a drawing of that size in pixels, with its style sheet: the font, then the classes of Light, then those of
- * Dark for readers who prefer a dark page. Title: for who cannot see it. */
+ * Dark for readers who prefer a dark page. Title: for readers who cannot see the drawing. */
 DRYDOCK_API std::string BeginSvg(
 	double Width, double Height, const std::string& Title, const char* Light, const char* Dark);
 
 /** The page that a drawing lies on. Radius: of its corners, pixels. */
 DRYDOCK_API std::string SvgPage(double Width, double Height, double Radius);
 
-/** Where ticks stand: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above Low).
- */
+/** The positions of ticks: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above
+ * Low). */
 struct DRYDOCK_API FAxisTicks
 {
 	FAxisTicks(double Low, double High, int MaxTicks);
@@ -82,7 +82,7 @@ struct DRYDOCK_API FAxisTicks
 	std::vector<double> Values;
 };
 
-/** Without the points that lie on the line between those that stay, to a fiftieth of a pixel. */
+/** Drops the points that lie on the line between those that stay, to a fiftieth of a pixel. */
 DRYDOCK_API std::vector<FSvgPoint> SimplifyCurve(const std::vector<FSvgPoint>& Points);
 
 } // namespace Drydock

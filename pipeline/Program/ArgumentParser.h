@@ -1,5 +1,5 @@
-// The declaration of a verb's options, and the parser that reads them. Only ArgumentParser.cpp includes the parser's
-// library, because its header takes seconds to compile.
+// Declares the options of a verb and the parser that reads them. Only ArgumentParser.cpp includes the parser library,
+// because its header takes seconds to compile.
 #pragma once
 
 #include "Program/Verbs.h"
@@ -21,8 +21,8 @@ namespace Drydock
 
 struct FVerbModel;
 
-/** One option of a verb, or one argument. Copies stand for the same option, which lives as long as the parser. Each
- * function returns the option, so that calls follow each other. */
+/** One option of a verb, or one argument. Copies mean the same option, which lives as long as the parser. Each function
+ * returns the option, so that calls follow each other. */
 class FVerbOption
 {
 public:
@@ -49,7 +49,7 @@ public:
 	/** Its variable is a list, whose values stand in one word with commas between. */
 	FVerbOption SplitAtCommas() const;
 
-	/** Splits into exactly NumValues values. Commas or spaces stand between them. */
+	/** Takes exactly NumValues values. Commas or spaces stand between them. */
 	FVerbOption SplitAtCommas(int NumValues) const;
 
 	/** Whole numbers from Least to Most are taken, all else is a usage error. */
@@ -65,16 +65,16 @@ public:
 	 * type, "a|b", which --help shows and completion offers. */
 	FVerbOption RequireOneOf(const std::vector<std::string>& Words) const;
 
-	/** Accepts a list of these words, separated by commas; the type is "a|b,...". */
+	/** Takes some of these words with commas between; the type is "a|b,...". */
 	FVerbOption RequireSomeOf(const std::vector<std::string>& Words) const;
 
 private:
 	CLI::Option* Option;
 };
 
-/** The options of one verb. Name: "--out", or "CONFIG" of an argument that is told by its place. Doc: its line in
- * --help. A variable keeps its value where its option is not given; it lives until the verb is called, as those of the
- * call that FVerb::AddOptions returns do. A value that is not of the variable's type is a usage error. */
+/** The options of one verb. Name: "--out", or "CONFIG" for an argument that is recognised by its place. Doc: its line
+ * in --help. A variable keeps its value where its option is not given; it lives until the verb is called, as those of
+ * the call that FVerb::AddOptions returns do. A value that is not of the variable's type is a usage error. */
 class FVerbOptions
 {
 public:
@@ -101,7 +101,7 @@ public:
 	FVerbOption AddRepeated(
 		const std::string& Name, const std::string& Type, std::vector<std::string>& Values, const std::string& Doc);
 
-	/** Adds an option that repeats; Take is called with each value as it is read, in the order of the command line. */
+	/** Adds an option whose values Take is called with as each is read, in the order of the command line. */
 	FVerbOption AddInOrder(const std::string& Name, const std::string& Type,
 		const std::function<void(const std::string& Value)>& Take, const std::string& Doc);
 

@@ -15,7 +15,7 @@ class FArgumentParser;
 /** The parser with all verbs. */
 FArgumentParser MakeProgram();
 
-/** The model of drydock's command line. */
+/** The model of the program's command line. */
 DRYDOCK_API FProgramModel MakeProgramModel();
 
 /** Arguments: those behind the program's name. Returns the exit code; what is wrong with the arguments themselves is

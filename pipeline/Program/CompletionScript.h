@@ -6,10 +6,9 @@
 namespace Drydock
 {
 
-/** For share/bash-completion/completions/drydock, or to be sourced. It completes verbs, options and their words,
- * configs
- * (*.json), folders and files, and by asking the program (`drydock list ... --names`) console variables, settings,
- * effects, and of a config that is on the line already, its passes. */
+/** The script for share/bash-completion/completions/drydock, or to be sourced. It completes verbs, options and their
+ * words, configs (*.json), folders and files, and by asking the program (`drydock list ... --names`) console variables,
+ * settings, effects, and of a config that is on the line already, its passes. */
 DRYDOCK_API std::string MakeBashCompletion(const FProgramModel& Model);
 
 /** The same for share/zsh/site-functions/_drydock, with the description of each option. */

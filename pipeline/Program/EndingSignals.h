@@ -6,8 +6,8 @@
 namespace Drydock
 {
 
-/** From now on these signals do the end actions (EndAction.h), clear the line that a progress bar is on, and end the
- * process with exit code 128 + signal. A second one ends it at once. */
+/** Installs the handlers: these signals then do the end actions (EndAction.h), clear the line of a progress bar, and
+ * end the process with exit code 128 + signal. A second one ends it at once. */
 DRYDOCK_API void CatchEndingSignals();
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// The lists that `drydock list extensions` and `drydock list hooks` print.
+// Makes the text that `drydock list extensions` and `drydock list hooks` print.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -21,8 +21,8 @@ DRYDOCK_API FListTable ListExtensions();
 /** The insertion points that there are, then the hooks, with the engine versions that call them. */
 DRYDOCK_API FListTable ListHooks();
 
-/** The chain of a config, compiled and not run: point, what it sees, format, size, who is subscribed, and why nobody is
- * called. Throws FError, as RunConfig does. */
+/** The chain of a config, compiled and not run: point, what it sees, format, size, the subscribers, and the reason if
+ * none is called. Throws FError, as RunConfig does. */
 DRYDOCK_API FListTable ListHooks(const FRunOptions& Options);
 
 } // namespace Drydock

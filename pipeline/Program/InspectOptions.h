@@ -20,8 +20,8 @@ struct FInspectVerbOptions : FInspectOptions
 /** Frames: the option of sequences, which are not looked into. */
 void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerbOption& Frames);
 
-/** With what a debugger is to see, for which the run is planned once: its size is what the pixel counts in. Throws
- * FError (DD1020) if the pixel is outside the frame. */
+/** Makes the options, with the pixel that a debugger is to see. For this the run is planned once, because the pixel
+ * counts in the run's size. Throws FError (DD1020) if the run has no such pixel. */
 FInspectOptions MakeInspectOptions(const FInspectVerbOptions& Options, const FRunOptions& Run);
 
 } // namespace Drydock

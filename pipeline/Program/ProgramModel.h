@@ -1,4 +1,4 @@
-// A model of the program's command line, read from the parser: completion, the man page and tests are made from it.
+// Describes the program's command line, as the parser holds it: completion, the man page and tests are made from it.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The output of verbs beside their results: messages, and the effects that do not run.
+// Prints what verbs report to a person or a script beside their results: messages, and which effects do not run.
 #pragma once
 
 #include "Diagnostics.h"
@@ -30,8 +30,8 @@ int GetOutputWidth();
 /** Prints what a verb found to stdout. JSON goes out as it is; the lines of a text fit the terminal (FitLines). */
 void PrintResult(const std::string& Text, bool bJson = false);
 
-/** Sees to it that what was printed to stdout is there. Throws FError (exit code 3) where some of it could not be
- * written: the disk is full, nobody reads the pipe, or stdout is closed. */
+/** Flushes stdout. Throws FError (exit code 3) if some of it could not be written: the disk is full, the pipe has no
+ * reader, or stdout is closed. */
 DRYDOCK_API void FlushOutput();
 
 /** Holds the places of stdin, stdout and stderr where they are closed. The next file that is opened would get their

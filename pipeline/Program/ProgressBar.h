@@ -1,4 +1,4 @@
-// A bar on stderr while passes run; nothing when stderr is not a terminal.
+// Shows a bar on stderr while passes run; nothing when stderr is not a terminal.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The summary of a finished run, for a person.
+// Summarizes a finished run for people.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// The output of `drydock blend`, for other verbs too: the settings of a config at a location or along a path.
+// Writes the report of `drydock blend` for the verbs that print it too: the settings of a config at a place or along a
+// path.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -1,4 +1,4 @@
-// The list that `drydock list cvars` prints.
+// Makes the text that `drydock list cvars` prints.
 #pragma once
 
 #include "Budget/RunOptions.h"

@@ -12,11 +12,11 @@ namespace Drydock
 
 class FVerbOptions;
 
-/** The call of a verb after its options are read. Returns the program's exit code. stdout is the result, stderr the
- * log. Throws FError, which the program prints and whose exit code it ends with. */
+/** Runs a verb once its options are read; returns the program's exit code. stdout is the result, stderr the log. Throws
+ * FError, which the program prints and whose exit code it ends with. */
 using FVerbCall = std::function<int()>;
 
-/** The purpose of a verb; help groups verbs by it. */
+/** The purpose of a verb, by which verbs are listed. */
 enum class EVerbGroup
 {
 	Run,

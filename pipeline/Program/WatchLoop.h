@@ -1,4 +1,4 @@
-// Does something again whenever the files that it reads have changed, whatever an edit makes of them for a second.
+// Repeats an action whenever the files that it reads have changed, also when an edit leaves them broken for a second.
 #pragma once
 
 #include "Text/WatchedFiles.h"

@@ -1,4 +1,4 @@
-// The equivalences that drydock promises: ways of computing a frame that change how it is computed and not what it is.
+// Lists the equivalences that drydock promises: other ways of computing a frame that give the same picture.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** How alike two frames are promised to be. */
+/** The likeness that is promised for two frames. */
 enum class EAlike
 {
 	SameBits,
@@ -18,7 +18,7 @@ enum class EAlike
 	SameButForRounding,
 };
 
-/** Which part of the picture is a view. */
+/** The part of the picture that is a view. */
 enum class EViewLayout
 {
 	AsConfigured,
@@ -28,7 +28,7 @@ enum class EViewLayout
 	RightAndLeft, // both, the right one first
 };
 
-/** What a frame is run with beside what its user asked for. */
+/** The options of a frame's run, beside those that its user asked for. */
 struct FEquivalenceRun
 {
 	std::vector<std::string> Variables = {}; // "r.Name=Value"

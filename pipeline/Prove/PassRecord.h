@@ -1,4 +1,4 @@
-// What the passes of a frame wrote, kept for a second frame that is compared with it pass by pass.
+// Keeps the textures that the passes of a frame wrote, for a second frame that is compared with it pass by pass.
 #pragma once
 
 #include "Picture/Picture.h"
@@ -48,13 +48,14 @@ struct FFirstDifference
 class DRYDOCK_API FPassRecord
 {
 public:
-	/** Alike: of the frames; of what passes write in between, values alone are judged, not how many differ. bClobbered:
-	 * the second frame's memory is filled, so that what nobody wrote differs. */
+	/** Alike: the likeness of the frames; for textures that passes write in between only the size of differences is
+	 * judged, not their number. bClobbered: the second frame's memory is filled, so that texels that no pass wrote
+	 * differ. */
 	FPassRecord(EAlike InAlike, bool bInClobbered);
 
-	/** Of the base frame. */
+	/** Called with the passes of the base frame. */
 	void Keep(const FPassWrites& Writes);
-	/** Of the other, later. */
+	/** Called with the passes of the other frame, later. */
 	void Compare(const FPassWrites& Writes);
 
 	const std::optional<FFirstDifference>& GetDifference() const { return Difference; }

@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What came of one equivalence. */
+/** The result of one equivalence. */
 struct FProven
 {
 	const FEquivalence* Equivalence = nullptr;

@@ -1,5 +1,5 @@
-// What the page of a comparison says, as one JSON: figures, both sides' pictures, and what differs in how they were
-// made.
+// Writes the data of a comparison's page as one JSON: figures, both sides' pictures, and the differences in how they
+// were made.
 #pragma once
 
 #include "Picture/ImageMetrics.h"

@@ -1,4 +1,4 @@
-// What the page of a matrix says, as one JSON: the table as matrix.json has it, and the pictures that differ.
+// Writes the data of a matrix's page as one JSON: the table as matrix.json has it, and the pictures that differ.
 #pragma once
 
 #include "DrydockAPI.h"

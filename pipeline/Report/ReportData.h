@@ -1,5 +1,5 @@
-// What a report says, as one JSON: the reports that a run makes anyway, what they lack, and the pictures. Its form is
-// report/report.schema.json; docs/report.md tells what each member is.
+// Builds the data of a report as one JSON: the reports that a run makes anyway, the figures that they lack, and the
+// pictures. Its form is report/report.schema.json; docs/report.md describes each member.
 #pragma once
 
 #include "Run/RunResult.h"
@@ -19,7 +19,7 @@ struct FReportBefore
 	std::string When;     // UTC, as When of FReportInputs
 };
 
-/** Reads run.json, timing.json and final.png of a folder. Of one that has no run.json, or a damaged one, nothing. */
+/** Reads run.json, timing.json and final.png of a folder. The result is empty if run.json is missing or damaged. */
 DRYDOCK_API FReportBefore ReadReportBefore(const std::string& Folder);
 
 struct FReportInputs

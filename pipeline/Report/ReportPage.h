@@ -11,13 +11,13 @@ namespace Drydock
 {
 
 /** JSON that may stand in a script element: no "<" is left in it, so that nothing closes the element or opens a
- * comment. It says the same. */
+ * comment. The data are the same. */
 DRYDOCK_API std::string EscapeForScript(const std::string& Json);
 
 /** UTC, "2025-01-31T12:00:00Z". */
 DRYDOCK_API std::string FormatReportTime(std::time_t Time);
 
-/** What data may weigh as they are: 4 MB. */
+/** The limit of uncompressed data: 4 MB. */
 constexpr size_t MaxPlainDataBytes = 4'000'000;
 
 /** The whole of report.html. Data: JSON by report/report.schema.json; larger ones go in as a string, zlib's stream of

@@ -1,4 +1,4 @@
-// A picture in a report: a PNG to look at, figures over its values, and where all of it is asked for the values.
+// Writes a picture of a report: a PNG to look at, figures over its values, and in a full report the values.
 #pragma once
 
 #include "Picture/Picture.h"
@@ -13,7 +13,7 @@ namespace Drydock
 
 class FJsonWriter;
 
-/** What a picture's values are. */
+/** Figures of a picture's values. */
 struct FPictureFigures
 {
 	std::vector<double> Min; // by channel, of the finite values; NaN where there are none
@@ -22,7 +22,7 @@ struct FPictureFigures
 	uint64_t NumInfinite = 0;
 	uint64_t NumNegative = 0; // -infinity among them
 
-	/** What WritePreviewPng shows as it is. */
+	/** Whether WritePreviewPng shows the values unchanged. */
 	DRYDOCK_API bool IsInDisplayRange() const;
 };
 
@@ -43,7 +43,7 @@ struct FPackedValues
 };
 DRYDOCK_API FPackedValues PackValues(const FPicture& Picture);
 
-/** How to get from the PNG's codes to values. */
+/** The way from the PNG's codes to values. */
 enum class EReportEncoding
 {
 	Display,    // the final picture: codes are its values, if it has 8 bits

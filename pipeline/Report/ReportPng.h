@@ -12,13 +12,14 @@
 namespace Drydock
 {
 
-/** What pictures may weigh as PNG, so that a page with them in base64 stays under 5 MB: 3.3 MB. */
+/** The limit of pictures as PNG, so that a page with them in base64 stays under 5 MB: 3.3 MB. */
 constexpr size_t MaxPagePictureBytes = 3'300'000;
 
 /** The bytes of what Write writes to the file that it is given. Throws FError (exit code 3). */
 DRYDOCK_API std::string MakePng(const std::function<void(const std::string& File)>& Write);
 
-/** Of a display-encoded picture, or of linear values as WritePreviewPng shows them. Throws FError (exit code 3). */
+/** The PNG of a display-encoded picture, or of linear values as WritePreviewPng shows them. Throws FError (exit code
+ * 3). */
 DRYDOCK_API std::string MakePng(const FImage& Image, bool bDisplay);
 
 /** A display-encoded PNG at half its width and height. Throws FError (exit code 3). */

@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What of a report is written. */
+/** The extent of a report. */
 enum class EReport
 {
 	Off,
@@ -21,10 +21,10 @@ enum class EReport
 /** "off", "on" or "full"; On for other words. */
 DRYDOCK_API EReport ParseReport(const std::string& Word);
 
-/** Compiles the frame once more with nothing skipped, which tells what leaving out saved, and blends its settings with
- * their ledger; a report of a run with plugins says neither. Then writes report.html into Aside, where the run's other
- * files lie already. Folder: where an earlier run's may be, which the page shows beside. Options: those of the run, of
- * which no session lives any more. SaveMs: that writing the other files took. Throws FError. */
+/** Compiles the frame once more with nothing skipped, which shows what skipping saved, and blends its settings with
+ * their ledger; a report of a run with plugins has neither. Then writes report.html into Aside, where the run's other
+ * files lie already. Folder: may hold an earlier run's report, which the page shows beside. Options: those of the run,
+ * whose sessions have all ended. SaveMs: time that writing the other files took. Throws FError. */
 DRYDOCK_API void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,
 	const std::filesystem::path& Folder, const std::filesystem::path& Aside, double SaveMs);
 

@@ -1,4 +1,4 @@
-// What the page of a sequence says, as one JSON: sequence.json, figures of each frame, and small pictures to go
+// Writes the data of a sequence's page as one JSON: sequence.json, figures of each frame, and small pictures to go
 // through.
 #pragma once
 
@@ -10,8 +10,8 @@ namespace Drydock
 {
 
 /** JSON by report/sequence.schema.json, for MakeReportPage. Name: of the config. WalkJson: MakeSceneWalkJson; empty:
- * none. When: UTC, as FormatReportTime has it. Of more than 96 frames the pictures of 96 are in it; all are made as
- * small as the page may hold. Throws FError (exit code 3) where a frame's file cannot be read. */
+ * none. When: UTC, as FormatReportTime has it. If there are more than 96 frames, it has the pictures of 96; all are
+ * reduced to the size that the page can hold. Throws FError (exit code 3) where a frame's file cannot be read. */
 DRYDOCK_API std::string MakeSequencePageData(
 	const FSequenceResult& Result, const std::string& Name, const std::string& WalkJson, const std::string& When);
 

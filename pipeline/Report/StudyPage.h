@@ -1,4 +1,4 @@
-// What the page of a study says, as one JSON: its figures, its times, and pictures of some variants.
+// Writes the data of a study's page as one JSON: its figures, its times, and pictures of some variants.
 #pragma once
 
 #include "Study/StudyInsetSheet.h"

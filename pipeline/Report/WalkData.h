@@ -12,9 +12,9 @@ namespace Drydock
 /** JSON by "walk" of report/report.schema.json. At: the label of the mark where the view is; empty: none. */
 DRYDOCK_API std::string MakeWalkJson(const FWalkChart& Chart, const std::string& At);
 
-/** Along the cameras of all frames of the config's scene. Empty: the scene is no sequence of two frames or more, a
- * frame has no camera, or no setting changes on the way. Loads the config's plugins; no session may live. Throws
- * FError. */
+/** Makes the data of a walk along the cameras of all frames of the config's scene. Empty: the scene is not a sequence
+ * of two frames or more, a frame has no camera, or no setting changes on the way. Loads the config's plugins; no
+ * session may live. Throws FError. */
 DRYDOCK_API std::string MakeSceneWalkJson(const FRunOptions& Options);
 
 } // namespace Drydock

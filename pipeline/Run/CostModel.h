@@ -1,5 +1,5 @@
-// Predicts the cost of a pass on this machine: nanoseconds for each texel that the pass writes, learned from earlier
-// runs. Kept as costs.json beside the shader cache.
+// Predicts what a pass will cost on this machine: nanoseconds for each texel it writes, learned from earlier runs. Kept
+// as costs.json beside the shader cache.
 #pragma once
 
 #include "RenderGraphCompiled.h"
@@ -15,7 +15,7 @@ namespace Drydock
 class DRYDOCK_API FCostModel
 {
 public:
-	/** The assumed cost of a pass that never ran here, ns for each texel: about a filter of a few taps. */
+	/** The assumed cost of a pass that never ran here, ns for each texel: about that of a filter of a few taps. */
 	static constexpr double UnknownCost = 2.0;
 
 	/** The model as the cache has it; empty where there is none or it cannot be read. */

@@ -1,5 +1,5 @@
-// Why a frame does what it does and leaves out what it leaves out: effects, passes, channels, memory and time, beside
-// the same frame with nothing skipped.
+// Explains why a frame runs or leaves out effects, passes and channels, with memory and time, beside the same frame
+// with nothing skipped.
 #pragma once
 
 #include "Run/CostModel.h"
@@ -63,7 +63,7 @@ struct FExplainedCost
 	double Milliseconds = 0.0; // of all passes
 };
 
-/** The difference between two frames that ran in turn, in milliseconds. */
+/** The difference between two frames, run in turn: milliseconds. */
 struct FMeasuredSaving
 {
 	double Least = 0.0;
@@ -100,8 +100,8 @@ DRYDOCK_API FExplainReport MakeExplainReport(const FRunResult& Frame, const FRun
 /** Effects, then totals and what is saved. */
 DRYDOCK_API std::string MakeExplainText(const FExplainReport& Report, bool bColorful, int Width = 0);
 
-/** One pass: what it reads, writes, who reads that; every pass of that name. Throws FError (exit code 2) where there is
- * none. */
+/** Describes every pass of that name: what it reads, what it writes, and the passes that read this. Throws FError (exit
+ * code 2) if there is none. */
 DRYDOCK_API std::string MakePassText(const FExplainReport& Report, const std::string& Pass);
 
 /** One effect with its passes. Throws FError (exit code 2) where there is none. */

@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** A blender of a config's settings at any location; for many locations, make it once. Console variables must be set
- * before each use. */
+/** Makes the blender of a config's settings at any location; for many locations, make it once. Console variables must
+ * be set already, whenever it is asked. */
 DRYDOCK_API FSettingsBlender MakeSettingsBlender(const FConfig& Config);
 
 /** A config's settings at a location, cm; with the story of each in Ledger, unless that is null. Console variables must
@@ -21,8 +21,9 @@ DRYDOCK_API FBlendedSettings BlendSettingsAt(
 /** The camera's location, cm: of the config, else of the scene (see CompleteFromScene), else the origin. */
 DRYDOCK_API FVector GetViewLocation(const FConfig& Config);
 
-/** The settings at the view's location. Console variables must be set already. Doubts about the blend (two volumes of
- * one priority that disagree, values that are not finite) are appended to Diagnostics, unless that is null. */
+/** Blends the settings at the view's location. Console variables must be set already. Doubts about the blend (two
+ * volumes of one priority that disagree, values that are not finite) are appended to Diagnostics, unless that is null.
+ */
 DRYDOCK_API FViewSettings MakeViewSettings(const FConfig& Config, std::vector<FDiagnostic>* Diagnostics = nullptr);
 
 /** Names of all settings that something in the config gives, active or not. */

@@ -1,4 +1,5 @@
-// Follows a scene's NaN and infinities: the passes that spread them, and their pixels in the final picture.
+// Follows a scene's NaN and infinities: the passes that spread them, and the pixels of the final picture that have
+// them.
 #pragma once
 
 #include "Diagnostics.h"
@@ -16,7 +17,7 @@ class FRDGTexture;
 namespace Drydock
 {
 
-/** The values that a pass wrote and that are not finite. */
+/** The pixels of a pass that are not finite. */
 struct FNonFiniteFootprint
 {
 	std::string Pass;

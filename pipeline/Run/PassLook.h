@@ -1,4 +1,4 @@
-// The look of a pass in a report: a small picture of its output.
+// Makes the small picture that a report shows of a pass's result, beside its counters.
 #pragma once
 
 #include "Run/RunResult.h"

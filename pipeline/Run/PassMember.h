@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** The value at Index of a member that is an array or a vector. */
+/** Reads a member of a pass's parameters; of an array or a vector, the value at Index. */
 template<typename T>
 T ReadMember(const FRDGPass& Pass, const FHlslMember& Member, size_t Index = 0)
 {

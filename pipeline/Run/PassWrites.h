@@ -1,4 +1,4 @@
-// The output of one pass, for callbacks during a run (FRunOptions::OnPassExecuted).
+// Holds the textures that one pass of a run wrote, for observers while the run goes on (FRunOptions::OnPassExecuted).
 #pragma once
 
 #include "RenderGraphCompiled.h"

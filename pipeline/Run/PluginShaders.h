@@ -1,5 +1,5 @@
-// The global shader classes that plugins registered, whether or not a pass that uses them can be seen: a pass of a
-// lambda does not tell its shader before it runs.
+// The global shader classes that plugins registered, even if no known pass uses them: the shader of a lambda pass is
+// not known before it runs.
 #pragma once
 
 #include "RenderGraphCompiled.h"
@@ -32,7 +32,7 @@ DRYDOCK_API FPluginShaders FindPluginShaders(const std::vector<std::string>& Plu
 /** Puts the permutations through the front end. Throws FError with the messages of all that fail, each once. */
 DRYDOCK_API void ReflectShaders(const FPluginShaders& Shaders);
 
-/** A note for each pass of a plugin's that tells no shader, where its plugin has no classes to look at in its stead. */
+/** A note for each pass of a plugin that names no shader, if its plugin has no shader classes to check instead. */
 DRYDOCK_API std::vector<FDiagnostic> FindUnseenPasses(const FRDGCompiledGraph& Graph, const FPluginShaders& Shaders);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// The factor of stored scene colour: a number, or the exposure that it follows.
+// Sets the factor of scene colour before it is stored: a number, or the exposure that it follows.
 #pragma once
 
 #include "SceneViewState.h"

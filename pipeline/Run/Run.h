@@ -30,7 +30,7 @@ public:
 	FRunSession(const FRunSession&) = delete;
 	FRunSession& operator=(const FRunSession&) = delete;
 
-	/** As of the last frame; before one, of the first. */
+	/** Config of the last frame; before one, of the first. */
 	const FConfig& GetConfig() const;
 
 	/** Frame: of a sequence; empty: the one of before. Last: the ViewStates of the frame before; empty: there was none.
@@ -40,7 +40,7 @@ public:
 
 private:
 	std::optional<std::chrono::steady_clock::time_point> Begin; // of the session, until its first frame counts it
-	double StartMilliseconds;                                   // of the session, for its first frame
+	double StartMilliseconds;                                   // of the session, until its first frame counts it
 	const FRunOptions Options;
 	const std::unique_ptr<FRunSetup> Setup;
 	std::vector<std::shared_ptr<FSceneViewState>> Caches; // by view
@@ -57,9 +57,9 @@ struct FCheckResult
 };
 DRYDOCK_API FCheckResult CheckConfig(const FRunOptions& Options);
 
-/** As CheckConfig; where a scene is named, also what comes to light when its frame is compiled: mistakes of extensions
- * and passes, and of the shaders of all passes that settings let run. The shader classes of its plugins are looked at
- * in any case (FindPluginShaders). Nothing is drawn, and no picture is decoded. */
+/** Checks as CheckConfig does. If a scene is named, its frame is compiled too, which finds mistakes of extensions and
+ * passes, and of the shaders of all passes that settings let run. The shader classes of its plugins are checked in any
+ * case (FindPluginShaders). Nothing is drawn, and no picture is decoded. */
 DRYDOCK_API FCheckResult CheckRun(const FRunOptions& Options);
 
 /** Compiles the shader classes of the config's plugins, with its console variables. Throws FError with the messages of

@@ -1,4 +1,4 @@
-// Which resources a run keeps to look at, and what they hold. Dumping observes and never changes culling.
+// Keeps the resources of a run that are to be looked at, with their values. Dumping observes and never changes culling.
 #pragma once
 
 #include "Run/RunResult.h"
@@ -20,8 +20,8 @@ DRYDOCK_API bool IsDumped(
  * [A-Za-z0-9_-] become _. */
 DRYDOCK_API std::string GetDumpFileName(const FRunDump& Dump);
 
-/** The rect of a texture that a pass says it writes: where its parameters have a viewport Output (as
- * GetScreenPassTextureViewportParameters fills it) whose extent is the texture's. Null where they say nothing. */
+/** The rect of a texture that a pass declares to write, from the viewport Output of its parameters (as
+ * GetScreenPassTextureViewportParameters fills it), if the viewport's extent is the texture's. Null without one. */
 DRYDOCK_API TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent);
 
 /** A warning for each pattern that no executed pass fits. */

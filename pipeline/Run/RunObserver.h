@@ -1,4 +1,4 @@
-// Observes the graph of a run: loads the scene, keeps dumped resources, notes the cost of passes.
+// Acts while a run's graph is built and executed: loads the scene, keeps dumped textures, records the cost of passes.
 #pragma once
 
 #include "RenderGraphObserver.h"
@@ -30,7 +30,7 @@ public:
 		const std::vector<FRDGTexture*>& WrittenTextures) override;
 
 private:
-	/** Without skipping, every texture that the file can fill. */
+	/** Finds the needed textures; without skipping, every texture that the file can fill. */
 	std::vector<FNeededSceneTexture> FindNeeded(const std::vector<FRDGExternalLoad>& Loads) const;
 	/** Warns of shaders that read custom depth or stencil of a scene that has none. */
 	void ReportAbsent(const std::vector<FRDGExternalLoad>& Loads);
@@ -40,7 +40,7 @@ private:
 	/** Remarks on a pass that did nothing. */
 	void NoteSilence(
 		const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures);
-	/** To who asked for it (FRunOptions::OnPassExecuted). */
+	/** Gives a pass's writes to the caller that asked for them (FRunOptions::OnPassExecuted). */
 	void TellWrites(int PassIndex, const FRDGPass& Pass, const std::vector<FRDGTexture*>& WrittenTextures);
 	void KeepTexture(int PassIndex, const std::string& Pass, const std::string& Resource, FRHITexture& Texture,
 		const std::vector<FIntRect>& Windows);
@@ -50,7 +50,7 @@ private:
 	const FRunSetup& Setup;
 	FSceneFile& Scene;
 	FRunResult& Result;
-	/** The smallest rect around the drawn area, for each texture that passes have written, by mip. */
+	/** The smallest rect around what passes drew, for each texture that they have written, by mip. */
 	std::map<const FRDGTexture*, std::vector<FIntRect>> Drawn;
 	/** Indices of the graph's passes that are not left out; empty while a graph runs in immediate mode. */
 	std::vector<size_t> ToExecute;

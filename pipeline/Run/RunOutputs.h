@@ -1,4 +1,4 @@
-// Writes what a run made into a folder. Everything is written aside first and renamed when it is complete, so that
+// Writes the outputs of a run into a folder. Everything is written aside first and renamed when it is complete, so that
 // nobody ever sees half a run.
 #pragma once
 
@@ -13,9 +13,9 @@
 namespace Drydock
 {
 
-/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json, report.html and passes/.
- * FRunResult::Write selects the written ones; run.json is always written. inspect/ holds the pictures of shader lines.
- */
+/** final.png, final.exr, scene_linear.exr, run.json, timing.json, graph.dot, trace.json, report.html and passes/, of
+ * which FRunResult::Write chooses those to write; run.json is always written. inspect/ holds the results of shader
+ * inspection. */
 DRYDOCK_API const FOutputNames& GetRunOutputNames();
 
 /** Called when all other files lie in Aside and writing them took SaveMs; what it writes there are outputs, too. */

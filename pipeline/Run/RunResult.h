@@ -1,4 +1,4 @@
-// The result of a run: plain data, which reports, files and tests read.
+// Holds the result of a run: plain data, which reports, files and tests read.
 #pragma once
 
 #include "Config/Config.h"
@@ -35,14 +35,14 @@ struct FRunDump
 	std::vector<std::string> Channels; // "R", "G", ...: those the format has
 };
 
-/** The fingerprint of a texture right after a pass. */
+/** Fingerprint of a texture right after a pass. */
 struct FRunFingerprint
 {
 	std::string Resource;
 	std::string Fingerprint; // FFingerprint of size and values of all mips
 };
 
-/** A texture right after a pass, small: what a glance tells. */
+/** A texture right after a pass, small, for a quick look. */
 struct FRunThumbnail
 {
 	std::string Resource;

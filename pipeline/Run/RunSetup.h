@@ -1,5 +1,5 @@
-// The first half of a run: config and command line read, console variables set for its length, settings blended. Each
-// step takes what the one before made and returns what it makes.
+// Sets up a run: reads config and command line, sets console variables for its length, blends settings. Each step takes
+// what the one before made and returns what it makes.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -20,10 +20,11 @@ namespace Drydock
 class DRYDOCK_API FRunVariables
 {
 public:
-	/** As an option of the program's own: beats everyone. The variable must exist (checked). */
+	/** Sets an option of the program's own, which beats every other source. The variable must exist (checked). */
 	void Set(const std::string& Name, const std::string& Value);
 
-	/** As its source may; Variable must be one that CheckVariable takes. One that is kept out is a warning. */
+	/** Sets a variable as far as its source may; Variable must be one that CheckVariable takes. A variable that is kept
+	 * out is a warning. */
 	void Apply(const FConfigVariable& Variable, const std::string& ConfigFile, std::vector<FDiagnostic>& Diagnostics);
 
 private:
@@ -48,15 +49,15 @@ struct FRunExtensions
 struct DRYDOCK_API FRunSetup
 {
 	/** Throws FError with all mistakes of config, command line, plugins, extensions, study and budget, and of the scene
-	 * as far as it is needed; exit code 3 where files are all that is wrong, else 2. JSON that is none is all that is
-	 * said of it. */
+	 * as far as it is needed; exit code 3 where files are all that is wrong, else 2. A JSON syntax error is reported
+	 * alone. */
 	explicit FRunSetup(const FRunOptions& Options, ESceneNeed Need = ESceneNeed::None);
 
-	/** Before each frame. Frame: of a sequence, whose config and settings are as if it had been the first; empty: the
-	 * one of before. Throws FError when there is no such frame, or something is wrong with it. */
+	/** Called before each frame. Frame: of a sequence, whose config and settings are as if it had been the first;
+	 * empty: the one of before. Throws FError when there is no such frame, or something is wrong with it. */
 	void BeginFrame(std::optional<int> Frame);
 
-	/** The messages of all steps, in their order. */
+	/** Messages of all steps, in the order in which they are given. */
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files of plugins, loaded before anything else is read. */
 	std::vector<std::string> Plugins;

@@ -19,9 +19,9 @@ struct FSilentPass
 	std::string Because; // likely reason: "Strength is 0", "Mask is 0 everywhere"
 };
 
-/** Right after the pass. Looks at textures of one mip and of one format with an input, at what the pass drew of them,
- * and stops at the first difference; so it costs as much as the pictures have in common. None where a pass copies and
- * means to, runs no shader, or wrote one colour everywhere, of which nothing can be said. */
+/** Called right after the pass. Looks at textures of one mip and of one format with an input, at what the pass drew of
+ * them, and stops at the first difference; so it costs as much as the pictures have in common. None if a pass copies on
+ * purpose, runs no shader, or wrote one colour everywhere, which proves nothing. */
 std::optional<FSilentPass> FindSilentPass(
 	const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& Written);
 

@@ -16,7 +16,8 @@ namespace Drydock
  * where there is neither. */
 std::optional<uint64_t> CountTaps(const FRDGPass& Pass, const FPassCounters& Counters);
 
-/** The rect that a pass writes: the viewport named Output in its parameters; empty if there is none. */
+/** The part of its textures that a pass writes: the viewport named Output in its parameters; empty where there is none.
+ */
 std::optional<FIntRect> FindOutputRect(const FRDGPass& Pass);
 
 /** Pixels that a pass is asked for: of its Output rect where it has one, else Counters.Pixels. The threads that fill up

@@ -1,5 +1,4 @@
-// The policies of a run for NaN and infinities (r.Drydock.NonFinite) and for spikes (r.Drydock.SceneColorClamp) of the
-// scene.
+// Handles NaN and infinities (r.Drydock.NonFinite) and spikes (r.Drydock.SceneColorClamp) of a run's scene.
 #pragma once
 
 #include "CoreMinimal.h"

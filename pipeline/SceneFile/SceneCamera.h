@@ -56,8 +56,8 @@ DRYDOCK_API void SetCameraParameters(
 DRYDOCK_API void SetPrevCameraParameters(
 	const FSceneViewProjectionData& Previous, FViewUniformShaderParameters& Parameters);
 
-/** The projection from this frame's clip space to the last frame's in a still world; exactly the identity if the camera
- * stood still too. */
+/** The matrix that projects a point of this frame's clip space to last frame's, for a static world; exactly the
+ * identity if the camera did not move. */
 DRYDOCK_API FMatrix44f MakeClipToPrevClip(
 	const FSceneViewProjectionData& Current, const FSceneViewProjectionData& Previous);
 

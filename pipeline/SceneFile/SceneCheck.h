@@ -1,4 +1,4 @@
-// Checks a config's scene and pictures by their headers, and reports all mistakes at once, before a frame is built.
+// Checks a config's scene and pictures by their headers, and reports all faults at once, before a frame is built.
 #pragma once
 
 #include "Config/Config.h"
@@ -8,7 +8,7 @@ namespace Drydock
 
 class FImageFile;
 
-/** A verb's need of the scene. */
+/** The data of the scene that a verb needs. */
 enum class ESceneNeed
 {
 	None,    // it is not looked at
@@ -16,7 +16,7 @@ enum class ESceneNeed
 	Required,
 };
 
-/** The message about a config without a scene. */
+/** The message for a config without a scene. */
 DRYDOCK_API FDiagnostic DescribeMissingScene(const FConfig& Config);
 
 /** Channels that the config maps or gives a value to, and that no pass knows; where File is not null also those that
@@ -25,7 +25,7 @@ DRYDOCK_API void CheckSceneChannels(
 	const FConfig& Config, const FImageFile* File, std::vector<FDiagnostic>& Diagnostics);
 
 /** The scene: its file, its channels, and views that leave its picture. For a sequence whose frame is not chosen yet,
- * checks only what needs no file. */
+ * only the checks without a file run. */
 DRYDOCK_API void CheckScene(const FConfig& Config, ESceneNeed Need, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// The numbers of the messages about what a scene has. docs/errors.md explains each one.
+// Numbers the messages about the contents of a scene. docs/errors.md explains each one.
 #pragma once
 
 namespace Drydock

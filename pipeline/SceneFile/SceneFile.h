@@ -1,5 +1,5 @@
-// The rendered frame that goes in. Its channels are registered as external textures without memory; after culling, one
-// read brings what surviving passes use. See configs/scenes/README.md.
+// Reads the rendered frame that a run starts from. Its channels are registered as external textures without memory;
+// after culling, one read brings what surviving passes use. See configs/scenes/README.md.
 #pragma once
 
 #include "Config/Config.h"
@@ -52,13 +52,13 @@ public:
 	/** The picture's pixels in the output. */
 	FIntRect GetPictureRect() const;
 
-	/** From the header's drydock:camera_json; empty when there is none. */
+	/** The camera of the header's drydock:camera_json; empty when there is none. */
 	const std::optional<FSceneCamera>& GetCamera() const { return Camera; }
 
 	/** Seconds from one frame to the next, from the same; empty when it does not say. */
 	const std::optional<double>& GetDeltaTime() const { return DeltaTime; }
 
-	/** The colour of the main light, relative, from the same attribute; white without one (SceneLight.h). */
+	/** Colour of the main light, relative, from the same header; white when there is none (SceneLight.h). */
 	const FLinearColor& GetLightColor() const { return LightColor; }
 
 	/** Registers every texture that the packing table knows, optional ones where the file has something of them; none
@@ -76,11 +76,11 @@ public:
 	void Plan(const std::vector<FNeededSceneTexture>& Needed);
 
 	/** Values of the channels named, by the names that passes know; one that the file lacks and that has no default is
-	 * left out. What is named counts as decoded, and is kept for Load with scene colour, which comes in the same read.
-	 * The values live until then. */
+	 * left out. The named channels count as decoded, and are kept for Load with scene colour, which comes in the same
+	 * read. The values live until then. */
 	std::map<std::string, FChannelValues> ReadChannels(const std::vector<std::string>& Names);
 
-	/** The source and target of a view's pixels; ViewRect is in the scene textures. */
+	/** Source and destination of a view's pixels; ViewRect in the scene textures. */
 	FSceneRegion FindRegion(const FIntRect& ViewRect) const;
 
 	/** Loaded, or planned to be. */
@@ -93,7 +93,7 @@ public:
 	const std::vector<FSceneChannel>& GetChannels() const { return Channels; }
 
 private:
-	/** The source of one of our channels: a plane of the file, or a constant. */
+	/** Source of one of drydock's channels: a plane of the file, or a constant. */
 	struct FSource
 	{
 		int FileChannel = -1;

@@ -13,7 +13,7 @@
 namespace Drydock
 {
 
-/** The source of one slot of a packing. */
+/** Source of one slot of a packing. */
 struct FSceneFillSource
 {
 	const FImagePlane* Plane = nullptr; // null: Default everywhere

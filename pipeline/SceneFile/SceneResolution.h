@@ -1,6 +1,6 @@
-// The scene at another resolution than the output: where a view's pixels go in smaller (or larger) scene textures, and
-// how a file's pixels become theirs. Colour is averaged over the area that a pixel covers, as if the renderer had
-// taken more samples; everything else (depth, normals, ids, velocity, shadow) is taken at the pixel's centre, as it
+// Renders the scene at another resolution than the output: places a view's pixels in smaller (or larger) scene
+// textures, and resamples the file's pixels. Colour is averaged over the area that a pixel covers, as if the renderer
+// had taken more samples; everything else (depth, normals, ids, velocity, shadow) is taken at the pixel's centre, as it
 // would have been rendered. Pure functions. Rounding up is the engine's.
 #pragma once
 
@@ -28,7 +28,7 @@ struct FCoverage
 	std::vector<double> Parts;
 };
 
-/** The coverage of target pixel Index; TargetSize pixels cover SourceSize pixels evenly. */
+/** Coverage of target pixel Index of TargetSize, which cover SourceSize pixels evenly. */
 DRYDOCK_API FCoverage MakeCoverage(int SourceSize, int TargetSize, int Index);
 
 /** The source pixel that holds the centre of a target pixel. */

@@ -1,4 +1,4 @@
-// Reads the camera and the post-process volumes that a scene file's header suggests: the attribute drydock:camera_json,
+// Reads the camera and the post-process volumes from a scene file's header: the attribute drydock:camera_json,
 // described in configs/scenes/README.md.
 #pragma once
 
@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** Fills what the config leaves to its scene: the volumes where it says "fromScene", and the camera's location where
+/** Fills what the config leaves to its scene: the volumes if "volumes" is "fromScene", and the camera's location where
  * bounded volumes ask for one and the config has none. The header is read only for these. A suggested setting that does
  * not exist here is left out, with a warning; "fromScene" without a scene, or with one that suggests nothing, is an
  * error. Throws FError (exit code 3): a file that cannot be read. */

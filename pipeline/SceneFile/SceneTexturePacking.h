@@ -1,4 +1,4 @@
-// How the channels of a rendered frame become scene textures, in the formats and encodings of the engine: one table.
+// Maps the channels of a rendered frame to scene textures, in the formats and encodings of the engine: one table.
 // Source: engine DeferredShadingCommon.ush and SceneTextures.cpp (formats, encodings); channels and their units:
 // configs/scenes/README.md.
 #pragma once

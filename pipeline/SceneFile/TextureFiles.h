@@ -1,4 +1,4 @@
-// Textures out of image files: how a path that a config's settings name becomes pixels (TextureAssets.h).
+// Loads textures from image files: turns a path that a config's settings name into pixels (TextureAssets.h).
 #pragma once
 
 #include "Config/Config.h"

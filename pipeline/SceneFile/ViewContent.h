@@ -1,6 +1,6 @@
-// What a view's part of the scene holds, as far as an effect's passes can be left out or confined by it: the third and
-// the fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels
-// before the graph is built; only what an effect that the settings call for asks is looked at.
+// Measures a view's part of the scene, as far as it can leave out or confine an effect's passes: the third and the
+// fourth gate (settings, the graph's outputs, content, region, loading). Measured on the file's own channels before the
+// graph is built; only the questions of effects that the settings call for are answered.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** What is to be looked at. */
+/** The contents that have to be looked at. */
 struct FContentQuestions
 {
 	bool bToon = false;      // shadingmodel.ID
@@ -25,11 +25,11 @@ struct FContentQuestions
  * one without area: there is no such pixel. */
 struct FViewContent
 {
-	/** Of the view in the scene textures, pixels. */
+	/** Size of the view in the scene textures, pixels. */
 	FIntPoint Size = FIntPoint(0, 0);
 	/** Bounds of what is shaded as cloth (SHADINGMODELID_CLOTH, the toon mark). */
 	std::optional<FIntRect> Toon;
-	/** Bounds of a mask that is not 0; the whole view where a value is no multiple of 1/255 in sight: not finite, or
+	/** Bounds of a mask that is not 0; the whole view where a value in sight is not a multiple of 1/255: not finite, or
 	 * below 1/256, where running sums of it would not be exact. */
 	std::optional<FIntRect> GlowMask;
 	/** Every velocity is 0. */

@@ -1,4 +1,4 @@
-// The frames of a sequence one after another, each in a folder of its own, with what lives on from one to the next. A
+// Runs the frames of a sequence one after another, each in a folder of its own, and hands on the state between them. A
 // run that was stopped, whenever it was, is taken up again where it stood: the finished frames stay as they are, those
 // that are not as they were written are rendered again, and the rest is bit for bit what an undisturbed run writes.
 #pragma once
@@ -32,8 +32,7 @@ struct FSequenceOptions
 	int Lead = 0;          // so many frames before the first are rendered for their history, and not written
 	std::string Folder;    // of the sequence (SequenceFolder.h)
 	bool bRestart = false; // render all frames again, whatever the folder holds
-	/** Called before each pass and after each frame. Done and Total count frames; What is a text such as "frame 3:
-	 * Tonemap". */
+	/** Called before each pass and after each frame. Done and Total count frames; the text is "frame 3: Tonemap". */
 	std::function<void(int Done, int Total, const std::string& What)> Progress;
 	/** Called with what each frame that is rendered reports, with why frames are rendered again (DD1073), and with what
 	 * the first frame lacks of its history (DD1074). */

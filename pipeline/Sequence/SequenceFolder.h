@@ -1,6 +1,7 @@
-// The folder of a sequence: frames/0001, frames/0002, ... each as a single run writes it and complete from the moment
-// it is there, with frame.json, what sequence.json will say of it, and a list of its files; the latest one holds what
-// the next frame needs of it, view_state.bin. One run at a time writes to a folder, and removes only what is on lists.
+// The folder of a sequence: frames/0001, frames/0002, ... each as a single run writes it, with frame.json (its part of
+// sequence.json) and a list of its files. A frame's folder is complete from the moment it exists. The latest one holds
+// the state that the next frame needs, view_state.bin. One run at a time writes to a folder, and removes only what is
+// on lists.
 #pragma once
 
 #include "Run/Run.h"
@@ -31,22 +32,22 @@ public:
 	/** "out/walk/frames/0003". */
 	std::string GetFramePath(int Frame) const;
 
-	/** The damage to the files of an existing frame, such as "final.png is empty"; empty if all files but the state are
-	 * as they were written. Throws FError (exit code 3) when one cannot be read. */
+	/** The fault of the files of a frame in the folder: "final.png is empty"; nothing where all but the state are as
+	 * they were written. Throws FError (exit code 3) when a file cannot be read. */
 	std::string FindDamage(int Frame) const;
 
 	/** Throws FError (DD1080, exit code 2) when its folder holds more than drydock wrote. */
 	void RequireOwnFrame(int Frame) const;
 
-	/** In place of what is there of this frame. Throws FError as WriteNewRunFolder. ViewState: empty, where it would
-	 * not help. */
+	/** Writes a frame's folder in place of the existing one. Throws FError as WriteNewRunFolder does. ViewState: empty
+	 * where it would not help. */
 	void WriteFrame(int Frame, const FRunResult& Result, const std::string& FrameJson, const std::string& ViewState);
 
 	std::string ReadFrameJson(int Frame) const;
 	bool HasViewState(int Frame) const;
 	std::string ReadViewState(int Frame) const;
 	std::string GetViewStatePath(int Frame) const;
-	/** For only the latest frame's is of use. */
+	/** Removes the view state of a frame: only the latest frame's is of use. */
 	void RemoveViewState(int Frame);
 
 	/** Empty where there is none. Throws FError (exit code 3) when it is not as it was written. */
@@ -58,9 +59,9 @@ public:
 	/** Throws FError as WriteSequenceSheet. */
 	void WriteSheet(const std::vector<int>& Frames, const std::vector<std::string>& Pictures);
 
-	/** sequence.html, which tells the time: no two are the same bytes. */
+	/** Writes sequence.html, which contains the time, so that no two have the same bytes. */
 	void WritePage(const std::string& Text);
-	/** Removes the page if it exists, because it shows other frames. */
+	/** Removes the page if there is one: it is of other frames. */
 	void RemovePage();
 
 	/** Removes the frames and sequence.json. Throws FError: there is more in a frame's folder than drydock wrote (exit

@@ -1,5 +1,5 @@
-// The inputs of a sequence besides its frames. While they are the same, a stopped run may resume; if they differ, the
-// existing frames belong to another sequence.
+// Lists the inputs that the pictures of a sequence depend on besides its frames. While they are the same, a stopped run
+// may go on; otherwise the frames in the folder belong to another sequence.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -12,8 +12,8 @@
 namespace Drydock
 {
 
-/** By what it is ("drydock", "config", "options", "shaders", "file PATH"): a fingerprint, or the text itself. Threads
- * are no part of it. */
+/** The inputs by name ("drydock", "config", "options", "shaders", "file PATH"): a fingerprint, or the text itself. The
+ * number of threads is not an input. */
 using FSequenceInputs = std::map<std::string, std::string>;
 
 /** Config: of those options. Files that the config names, plugins among them, count by their contents, and so do the

@@ -1,5 +1,5 @@
-// The records of a sequence: frame.json of one frame, sequence.json of all. Nothing in them changes from one run
-// to the next of the same inputs.
+// Writes and reads the records of a sequence: frame.json of one frame, sequence.json of all. Nothing in them changes
+// from one run to the next of the same inputs.
 #pragma once
 
 #include "Run/Run.h"
@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** The frame of a sequence, and what its pictures are told by. */
+/** The frame of a sequence, and the fingerprints by which its pictures are recognised. */
 struct FFrameRecord
 {
 	int Frame = 0;
@@ -26,8 +26,8 @@ struct FFrameRecord
 	bool operator==(const FFrameRecord&) const = default;
 };
 
-/** Makes the record of a frame that has run, without the history before it. Must be called while its session lives:
- * weights depend on console variables. */
+/** Record of a frame that has run, without its predecessors. Must be called while its session lives: weights depend on
+ * console variables. */
 DRYDOCK_API FFrameRecord MakeFrameRecord(const FRunResult& Result, const std::string& FileFingerprint);
 
 /** {frame, after?, file, fileFingerprint, location, fov?, exposure, passes, volumes: {name: weight}, picture, seen?,
@@ -37,10 +37,10 @@ DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameReco
 /** File names the text in messages. Throws FError (exit code 3) when the text is not a frame.json. */
 DRYDOCK_API FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File);
 
-/** Before the first frame: {version, config, scene, complete: false, inputs}. */
+/** The sequence.json before the first frame: {version, config, scene, complete: false, inputs}. */
 DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs);
 
-/** Makes sequence.json from the files of all frames: the complete head, and the frames with the settings that vary. */
+/** Merges the files of all frames: the head, complete, and frames, each with the settings that vary. */
 DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Inputs,
 	const FSequenceFolder& Folder, const std::vector<int>& Frames);
 

@@ -9,8 +9,9 @@
 namespace Drydock
 {
 
-/** PNG files of one size, each a frame, to a file whose name gives the format (.mp4: H.264). The file appears when it
- * is complete. Returns the problem, in a sentence without a full stop; empty on success. */
+/** Makes a video from PNG files of one size, each a frame; the file's extension chooses its kind (.mp4: H.264). The
+ * file appears when it is complete. Returns the reason of a failure, in a sentence without a full stop; empty: the file
+ * was made. */
 DRYDOCK_API std::string MakeVideo(
 	const std::vector<std::string>& Pictures, double FramesPerSecond, const std::string& File);
 

@@ -1,4 +1,4 @@
-// The history between frames as bytes, exact to the bit: a stopped run resumes from these bytes.
+// Stores the state that lives on between frames as bytes, exact to the bit, so that a stopped run can go on from them.
 #pragma once
 
 #include "SceneViewState.h"

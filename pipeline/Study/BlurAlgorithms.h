@@ -1,6 +1,7 @@
-// All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs. Those
-// of shaders run through the render graph, as in a frame; the others are plain code and say so. Widths are
-// matched by measurement: the second moment of the impulse response. Each names its source where it is.
+// All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs.
+// Algorithms of shaders run through the render graph, as in a frame; the others are plain code and are marked so.
+// Widths are matched by measurement: the second moment of the impulse response. Each algorithm names its source where
+// it is defined.
 #pragma once
 
 #include "Budget/BlurNames.h"
@@ -12,7 +13,7 @@
 namespace Drydock
 {
 
-/** How the graph's algorithms compute and store; plain code in float32, but Exact in double. */
+/** The arithmetic and storage of the graph's algorithms; plain code runs in float32, but Exact in double. */
 struct FBlurArithmetic
 {
 	/** float32, float16, R11G11B10 or 8bit: format of all textures, the input's too. */
@@ -40,8 +41,8 @@ public:
 	/** Image: RGBA. */
 	FBlurRun Run(const FImage& Image) const { return RunAs(Image, Arithmetic); }
 
-	/** Of the impulse response, pixels: the root of the mean of both axes' variances, over all positions of the
-	 * impulse. Measured with 32-bit storage. */
+	/** Standard deviation of the impulse response, pixels: the root of the mean of both axes' variances, over all
+	 * positions of the impulse. Measured with 32-bit storage. */
 	double GetMeasuredSigma() const { return MeasuredSigma; }
 	/** Within one percent of what is wanted. */
 	bool IsMatched() const;

@@ -58,7 +58,7 @@ struct TBlurLanes
 	[[gnu::weak]] static void Recurse(const FBlurLines& Lines, const FBlurRecursion& Recursion, float* Scratch);
 };
 
-/** Of the widest lanes: two copies of the lines, and the sums of a window's texels. */
+/** Scratch floats for the widest lanes: two copies of the lines, and the sums of a window's texels. */
 constexpr size_t GetBlurScratchFloats(int32_t Length)
 {
 	return static_cast<size_t>(Length) * 3 * 4 * 16;

@@ -24,7 +24,7 @@ struct FFloatImage
 	std::vector<float> Values;
 };
 
-/** Of four channels; rounded to nearest. */
+/** Converts an image of four channels; rounded to nearest. */
 DRYDOCK_API FFloatImage ToFloatImage(const FImage& Image);
 DRYDOCK_API FImage ToImage(const FFloatImage& Image);
 
@@ -51,7 +51,7 @@ DRYDOCK_API void BlurBoxes(FFloatImage& Image, double StandardDeviation);
  * the edge is found by running it there once (the problem that Triggs and Sdika solved in 2006). */
 DRYDOCK_API void BlurRecursive(FFloatImage& Image, double StandardDeviation);
 
-/** What the above read and write per pixel. */
+/** The values that the blurs above read and write per pixel. */
 struct FNativeBlurCost
 {
 	double Taps = 0.0;        // values read by the arithmetic

@@ -1,4 +1,4 @@
-// What errors look like: for a few jobs of a study the reference and three variants (what is recommended, what is in
+// Shows how errors look: for a few jobs of a study the reference and three variants (the recommended one, the one in
 // use, then the front's and the largest errors), each over a map of its error.
 #pragma once
 

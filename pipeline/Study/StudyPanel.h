@@ -10,7 +10,7 @@
 namespace Drydock
 {
 
-/** From numbers above 0 to pixels, in equal steps for equal factors. */
+/** Maps numbers above 0 to pixels, in equal steps for equal factors. */
 class FLogAxis
 {
 public:

@@ -1,5 +1,5 @@
-// What a study says, as text for people and machines. What differs from run to run (times, and what follows from them)
-// is in texts of its own: the others are the same bytes on every run.
+// Writes the results of a study as text for people and machines. Times, and figures that follow from times, differ from
+// run to run and are in separate texts: the others are the same bytes on every run.
 #pragma once
 
 #include "Study/StudyResult.h"
@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** For the terminal: a table per job, with times. */
+/** Writes tables for the terminal: one per job, with times. */
 DRYDOCK_API std::string MakeStudyTable(const FStudyResult& Result, int Width = 0);
 
 /** study.json: {version, config, fingerprint, scene, size, region, subject, reference, metric, budget, axes: [{name,
@@ -23,13 +23,13 @@ DRYDOCK_API std::string MakeStudyJson(const FStudyResult& Result);
  */
 DRYDOCK_API std::string MakeStudyTimingJson(const FStudyResult& Result);
 
-/** study.csv: a line per variant, without times; study_timing.csv: likewise, with them. */
+/** study.csv: a line per variant, without times; study_timing.csv: a line per variant, with times. */
 DRYDOCK_API std::string MakeStudyCsv(const FStudyResult& Result, bool bTiming);
 
 /** "toon.exr, 641 x 359, errors of 512 x 288 at (64, 32)": what was studied. */
 DRYDOCK_API std::string DescribeStudied(const FStudyResult& Result);
 
-/** "RMS error", ...: what an axis of a drawing says. */
+/** "RMS error", ...: the title of an axis of a drawing. */
 DRYDOCK_API std::string GetErrorTitle(const std::string& Metric);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// What a study found. The figures that are the same on every run (errors, taps, bytes, the front over taps) and the
-// measured times are kept apart.
+// Holds the results of a study. The figures that are the same on every run (errors, taps, bytes, the front over taps)
+// and the measured times are kept apart.
 #pragma once
 
 #include "Budget/StudyConfig.h"
@@ -21,7 +21,7 @@ struct FStudyTime
 	double High = 0.0; // third
 };
 
-/** Where a variant stands among those of its job, by error and one cost. */
+/** The rank of a variant among those of its job, by error and one cost. */
 struct FStudyRank
 {
 	bool bFront = false;
@@ -57,7 +57,7 @@ struct FStudyVariant
 	/** Relative error of the whole picture, which blurs and frames are computed in. */
 	double RelativeWithBorder = 0.0;
 	double Taps = 0.0;          // per pixel of the picture
-	double Bytes = 0.0;         // likewise
+	double Bytes = 0.0;         // per pixel of the picture
 	double MeasuredSigma = 0.0; // of blurs
 	bool bPlainCode = false;    // not shaders in the graph
 	FStudyRank ByTaps;

@@ -1,5 +1,5 @@
-// Runs a study: everything in one process, all variants in turn again and again, so that what slows the machine down
-// for a while slows all of them.
+// Runs a study: everything in one process, all variants in turn again and again, so that a temporary slowdown of the
+// machine affects all of them.
 #pragma once
 
 #include "Study/StudyResult.h"
@@ -18,7 +18,7 @@ struct FStudyPicture
 	EImageEncoding Encoding = EImageEncoding::Linear;
 };
 
-/** One study. What it prepares, above all the matched widths of blurs, serves its figures and its pictures. */
+/** One study. Its preparations, above all the matched widths of blurs, serve its figures and its pictures. */
 class DRYDOCK_API FStudyRun
 {
 public:
@@ -32,7 +32,7 @@ public:
 
 	/** Runs once more to see; of the study's region. */
 	FStudyPicture RunReference(const FStudyJob& Job);
-	/** Likewise, as large. */
+	/** Runs a variant once more to see; as large. */
 	FStudyPicture RunVariant(const FStudyResult& Result, const FStudyVariant& Variant);
 
 private:

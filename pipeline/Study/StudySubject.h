@@ -1,4 +1,4 @@
-// What a study runs, once with each variant: blurs of an image, or frames of a config.
+// Defines the subject of a study, which runs once with each variant: blurs of an image, or frames of a config.
 #pragma once
 
 #include "Budget/RunOptions.h"
@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** What the axes are set to. */
+/** The values that the axes are set to. */
 using FStudySet = std::vector<FStudyAssignment>;
 
 FStudySet Join(const FStudySet& A, const FStudySet& B);
@@ -27,7 +27,7 @@ struct FMeasured
 	double Bytes = 0.0;
 };
 
-/** What a study runs. */
+/** The subject that a study runs. */
 class IStudySubject
 {
 public:
@@ -35,10 +35,10 @@ public:
 
 	virtual FMeasured RunReference(const FStudySet& Case) = 0;
 	virtual FMeasured Run(const FStudySet& Set) = 0;
-	/** Before anything runs: what is known of a variant without running it, its exclusion included. */
+	/** Called before anything runs: fills in what is known of a variant without running it, its exclusion included. */
 	virtual void Prepare(const FStudySet& Set, FStudyVariant& Variant) = 0;
-	/** What is set so takes the time of everything else of that key, whatever its input; empty: each its own. A case
-	 * alone: its reference. */
+	/** Key of the measured time: all sets of one key share one time, whatever their input; empty: each set has its own.
+	 * For a case alone it is the key of its reference. */
 	virtual std::string GetTimeKey(const FStudySet&) { return ""; }
 	virtual std::string DescribeReference(const FStudySet& Case) = 0;
 };

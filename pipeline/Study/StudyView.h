@@ -1,4 +1,4 @@
-// What a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
+// Holds what a chart shows of a study: one of its costs against the metric that it ranks by. Inner to StudyChart.
 #pragma once
 
 #include "Study/StudyPanel.h"
@@ -19,7 +19,8 @@ struct FStudyView
 	double GetCost(const FStudyVariant& Variant) const;
 	/** Smaller is better, whatever the metric. */
 	double GetError(const FStudyVariant& Variant) const;
-	/** By time, and so not where taps are drawn, which are the same on every run. */
+	/** Whether a variant is recommended. This depends on time, so it is not shown in a chart over taps, which are the
+	 * same on every run. */
 	bool IsRecommended(const FStudyVariant& Variant) const;
 	const FStudyRank& GetRank(const FStudyVariant& Variant) const;
 	std::string GetCostName() const;

@@ -18,8 +18,8 @@ DRYDOCK_API FError MakeWriteError(const std::string& Path, const std::string& Wh
 
 /** A path to write a file or a folder to that does not exist yet: by its own name, in the folder NAME.writing.XXXXXX
  * beside it (MarkedFolder.h). A file that was not put in place goes away with the object, or when a signal ends the
- * process; after any other end with the next aside file for that place. Nothing is synchronised with the disk: who
- * pulls the plug may find the latest files empty. */
+ * process; after any other end with the next aside file for that place. Nothing is synchronised with the disk: after a
+ * power failure the latest files may be empty. */
 class DRYDOCK_API FAsideFile
 {
 public:

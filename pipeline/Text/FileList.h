@@ -1,5 +1,5 @@
-// The list of the files that drydock wrote into a folder, which stands in that folder: by it, and by nothing else, a
-// later run knows what it may replace and remove.
+// The list of the files that drydock wrote into a folder, which stands in that folder. Only by this list a later run
+// knows which files it may replace and remove.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -19,9 +19,10 @@ public:
 	 * is cut short, changed, of another version, or has names that lead out of the folder. */
 	static FFileList Read(const std::filesystem::path& File);
 
-	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are told
-	 * by their names alone, so that equal runs give equal lists. Throws FError (exit code 3) when one cannot be read.
-	 */
+	/** All files in Folder and beneath it. Unsteady: names of those whose bytes differ from run to run, which are
+	 * identified by their names alone, so that equal runs give equal lists. Throws FError (exit code 3) when one cannot
+	 * be read.
+	 * */
 	static FFileList Make(const std::filesystem::path& Folder, const std::set<std::string>& Unsteady);
 
 	/** One line for each file, and a fingerprint of them all. */
@@ -43,12 +44,12 @@ public:
 	/** Ascending, each once. */
 	std::set<std::string> GetNames() const;
 
-	/** What is wrong with the file of this name beneath Folder: "is missing", "is empty", "is not as it was written",
-	 * "is not on the list", "is behind a symbolic link"; nothing where it is as the list has it. */
+	/** The fault of the file of this name beneath Folder: "is missing", "is empty", "is not as it was written", "is not
+	 * on the list", "is behind a symbolic link"; nothing where it is as the list has it. */
 	std::string FindFault(const std::filesystem::path& Folder, const std::string& Name) const;
 
-	/** What stands in Folder/Sub and is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only listed
-	 * files are none of that. Empty: there is nothing else. Names that are in Besides count as listed. */
+	/** The first entry of Folder/Sub that is not on the list, by its name: "passes/Bloom.cpp". Folders that hold only
+	 * listed files do not count. Empty: there is no such entry. Names that are in Besides count as listed. */
 	std::string FindForeign(
 		const std::filesystem::path& Folder, const std::string& Sub, const std::set<std::string>& Besides = {}) const;
 

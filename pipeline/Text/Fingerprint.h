@@ -1,6 +1,6 @@
-// A fast digest that tells whether bytes are the same: of pictures, scene files and what lives on between frames, some
-// ten gigabytes a second. It is no defence against somebody who wants two to agree: names in the shader cache are
-// SHA-256 (ContentHash.h). It multiplies and rotates as in FNV-1a and xxHash.
+// Computes a fast digest that shows whether bytes are the same: of pictures, scene files and the state kept between
+// frames, some ten gigabytes a second. It is not a defence against somebody who wants two digests to agree: names in
+// the shader cache are SHA-256 (ContentHash.h). It multiplies and rotates as in FNV-1a and xxHash.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -35,7 +35,7 @@ private:
 	uint64_t Length = 0;
 };
 
-/** Of a file's bytes. Throws FError (exit code 3) when it cannot be read. */
+/** Digest of a file's bytes. Throws FError (exit code 3) when the file cannot be read. */
 DRYDOCK_API std::string FingerprintFile(const std::string& Path);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// One process at a time writes its outputs to a folder.
+// Locks a folder, so that only one process at a time writes its outputs there.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// JUnit XML, in which servers that build and test show results: suites of cases.
+// Writes JUnit XML, the format in which build and test servers show results: suites of cases.
 #pragma once
 
 #include "DrydockAPI.h"

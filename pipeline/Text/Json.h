@@ -39,7 +39,7 @@ struct FJsonValue
 	int KeyColumn = 0;
 	std::string Pointer; // "/volumes/0/Settings"; "" for the root
 
-	/** Null when this is no object or has no such member. */
+	/** Null when this is not an object or has no such member. */
 	DRYDOCK_API const FJsonValue* Find(const std::string& Key) const;
 
 	/** The member's number; Otherwise where there is none, as where infinite figures are null. */
@@ -61,8 +61,8 @@ struct FJsonMember
 	FJsonValue Value;
 };
 
-/** File names the text in messages. What is wrong is appended to Diagnostics; after a syntax error the result is what
- * had been read up to it, and OutSyntaxError is true: do not interpret it. */
+/** File names the text in messages. Faults are appended to Diagnostics; after a syntax error the result is the part
+ * read before it, and OutSyntaxError is true: do not interpret it. */
 DRYDOCK_API FJsonValue ParseJson(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics, bool& OutSyntaxError);
 

@@ -1,4 +1,4 @@
-// A first look over JSON text: where each key and value begins, and numbers that no parser can hold.
+// Scans JSON text before it is parsed: finds where each key and value begins, and numbers that no parser can hold.
 #pragma once
 
 #include "TextPositions.h"
@@ -25,7 +25,7 @@ struct FJsonScan
 	std::string Text;
 };
 
-/** Looks no further than MaxTokens keys and values: nobody asks for those behind. */
+/** Stops after MaxTokens keys and values: those behind are not needed. */
 FJsonScan ScanJson(const std::string& Text, size_t MaxTokens);
 
 } // namespace Drydock

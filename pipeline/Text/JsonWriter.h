@@ -26,7 +26,7 @@ public:
 	void Value(const std::string& Text);
 	void Value(const char* Text) { Value(std::string(Text)); }
 	void Value(bool bValue);
-	/** Not finite: null, for JSON has no such numbers. */
+	/** Writes null for a number that is not finite, because JSON has no such numbers. */
 	void Value(double Number);
 	void Value(float Number);
 	void Value(int32_t Number) { Raw(std::to_string(Number)); }

@@ -1,4 +1,4 @@
-// The numbers of the messages about limits of input and of messages. docs/errors.md explains each one.
+// Numbers the messages about limits of input and of output. docs/errors.md explains each one.
 #pragma once
 
 #include "DiagnosticList.h"

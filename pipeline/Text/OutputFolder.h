@@ -15,7 +15,8 @@
 namespace Drydock
 {
 
-/** What a verb writes into a folder, where other verbs' outputs and the user's own files may lie beside it. */
+/** The names that a verb writes into a folder, where other verbs' outputs and the user's own files may lie beside them.
+ */
 struct FOutputNames
 {
 	std::string Name;                 // of the verb: its list is .drydock.NAME.files
@@ -38,7 +39,7 @@ public:
 
 	const std::filesystem::path& GetPath() const { return Folder; }
 
-	/** Write here: a folder in the folder. What is in it when PutInPlace is called are the outputs. */
+	/** The folder to write to, inside the output folder. Its files become the outputs when PutInPlace is called. */
 	const std::filesystem::path& GetAside() const { return Aside.GetPath(); }
 
 	/** Replaces the outputs of the call before. Throws FError as the constructor. */

@@ -1,4 +1,4 @@
-// How wide the terminal is that a text goes to, and fitting lines of prose to it.
+// Finds the width of the terminal that a text goes to, and fits lines of prose to it.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** Columns of the terminal that FileDescriptor is: COLUMNS where that is a whole number from 1 on, else what the
- * terminal says, else 80; never less than 40. 0 where it is no terminal: a file or a pipe has lines of any length. */
+/** Columns of the terminal that FileDescriptor is: COLUMNS where that is a whole number from 1 on, else the terminal's
+ * own number, else 80; never less than 40. 0 if it is not a terminal: a file or a pipe has lines of any length. */
 DRYDOCK_API int GetTerminalWidth(int FileDescriptor);
 
 /** Columns that the text takes: characters of UTF-8, without the escape sequences of colours. */

@@ -11,10 +11,10 @@
 namespace Drydock
 {
 
-/** For files of drydock's own that hold pictures or the state of views: 16 GB. */
+/** Limit for drydock's own files that hold pictures or the state of views: 16 GB. */
 constexpr size_t MaxBinaryBytes = size_t(1) << 34;
 
-/** All its bytes; nothing where it cannot be read, is no regular file, or has more than MaxBytes. */
+/** All bytes of the file; nothing if it cannot be read, is not a regular file, or has more than MaxBytes. */
 DRYDOCK_API std::optional<std::string> TryReadTextFile(const std::string& Path, size_t MaxBytes = MaxTextBytes);
 
 /** All its bytes. Throws FError (exit code 3): Message and why, or DD5007 where it has more than MaxBytes. */

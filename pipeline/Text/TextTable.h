@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** How a column stands, and what gives way where the table is too wide. */
+/** The alignment of a column, and the way it gives way where the table is too wide. */
 enum class ETextColumn
 {
 	Number, // at the right, kept whole
@@ -30,8 +30,8 @@ struct FTextTable
 	std::vector<std::string> Colors = {};       // escape sequence before each row; empty, or fewer than rows: none
 
 	/** Lines of columns two blanks apart, without blanks at the ends of lines; a row may take several. Width: of the
-	 * terminal, 0: as wide as the cells are. Indent: before each line. Where columns are left out a last line names
-	 * them, by the first row. */
+	 * terminal, 0: as wide as the cells are. Indent: before each line. If columns are left out, a last line names them,
+	 * by the first row. */
 	DRYDOCK_API std::string Format(int Width = 0, const std::string& Indent = "") const;
 };
 

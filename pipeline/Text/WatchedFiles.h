@@ -13,8 +13,8 @@
 namespace Drydock
 {
 
-/** What the system says of files when they are added: which one it is, its size, and when it or its permissions last
- * changed. Equal when no file appeared, went away or changed. */
+/** The system's data about files when they are added: the file's identity, its size, and when it or its permissions
+ * last changed. Equal when no file appeared, went away or changed. */
 class DRYDOCK_API FWatchedFiles
 {
 public:
@@ -27,7 +27,7 @@ public:
 	/** Those of Others that are not there yet. */
 	void AddUnknown(const FWatchedFiles& Others);
 
-	/** What differs from Before, ascending; nothing where a file has come or gone. */
+	/** The files that differ from Before, ascending; nothing where a file has come or gone. */
 	std::optional<std::vector<std::string>> FindEdited(const FWatchedFiles& Before) const;
 
 	/** Ascending. */

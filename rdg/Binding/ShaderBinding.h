@@ -1,5 +1,5 @@
-// Binding: parameters in C++ are matched by name and type with what the compiled shader reads, once per shader
-// permutation and struct; each pass then only copies. What does not match is an error that names both sides.
+// Matches parameters in C++ by name and type with what the compiled shader reads, once per shader permutation and
+// struct; each pass then only copies. A mismatch is an error that names both sides.
 #pragma once
 
 #include "BoundShader.h"

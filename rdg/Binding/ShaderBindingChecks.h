@@ -1,4 +1,4 @@
-// What is looked at before a pass: that its parameters are there and fit what the shader reads of them.
+// Checks before a pass that its parameters are set and fit what the shader reads of them.
 #pragma once
 
 #include "ShaderBindingPlan.h"
@@ -18,8 +18,8 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const std::string& ShaderName,
 	const void* Parameters);
 
-/** Notes, by ReportRDGWarning, where a shader stores more components than the texture keeps. That is no mistake, but
- * often one: three-component formats are stored to as float4 everywhere, those of one or two seldom on purpose. */
+/** Notes, by ReportRDGWarning, where a shader stores more components than the texture keeps. Such a store may be a
+ * mistake: three-component formats are stored to as float4 everywhere, those of one or two seldom on purpose. */
 void ReportDroppedComponents(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection,
 	const std::string& ShaderName, const void* Parameters);
 

@@ -1,5 +1,5 @@
-// The numbers of the messages about a plugin's code that ends badly. A number never changes its meaning;
-// docs/errors.md explains each one.
+// Numbers the messages about failures of a plugin's code. A number never changes its meaning; docs/errors.md explains
+// each one.
 #pragma once
 
 namespace Drydock

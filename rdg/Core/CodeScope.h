@@ -1,6 +1,6 @@
-// Whose code runs on a thread: a plugin's, called from which hook and for which pass, or drydock's own. All calls into
-// a plugin go through CallCode, so that whatever ends badly there (an exception, a crash, exit, silence) is told in
-// one message with these words, and blamed on the right one.
+// Records whose code runs on a thread: drydock's own, or a plugin's, with the hook and the pass that called it. All
+// calls into a plugin go through CallCode, so that whatever ends badly there (an exception, a crash, exit, silence) is
+// told in one message with these words, and blamed on the right one.
 #pragma once
 
 #include "Diagnostics.h"

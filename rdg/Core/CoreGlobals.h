@@ -1,5 +1,4 @@
-// Which thread this is: every question is answered yes, because one thread plays all parts. Source: engine
-// CoreGlobals.h.
+// Answers which thread this is: every answer is yes, because one thread plays all parts. Source: engine CoreGlobals.h.
 #pragma once
 
 #include "CoreTypes.h"

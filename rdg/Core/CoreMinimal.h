@@ -1,6 +1,6 @@
-// What nearly every file of the engine includes: basic types, containers, strings, pointers, mathematics, delegates,
-// logging and console variables. `check`, `verify` and `ensure` are macros, so third-party headers come before this
-// one. Source: engine CoreMinimal.h.
+// Includes what nearly every file of the engine needs: basic types, containers, strings, pointers, mathematics,
+// delegates, logging and console variables. `check`, `verify` and `ensure` are macros, so third-party headers come
+// before this one. Source: engine CoreMinimal.h.
 #pragma once
 
 #include "CoreGlobals.h"

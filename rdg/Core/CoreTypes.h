@@ -117,7 +117,7 @@ char (&ArrayCountHelper(const T (&)[Count]))[Count];
 /** Number of elements of a C array, a constant; does not compile for a pointer. */
 #define UE_ARRAY_COUNT(Array) (sizeof(::Drydock::Private::ArrayCountHelper(Array)))
 
-// What the engine's build tool defines for a non-editor development build on Linux.
+// The macros that the engine's build tool defines for a non-editor development build on Linux.
 #ifndef WITH_EDITOR
 #define WITH_EDITOR 0
 #endif

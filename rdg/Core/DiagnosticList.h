@@ -17,7 +17,7 @@ constexpr size_t MaxDiagnostics = 100;
 constexpr size_t MaxListedAlike = 20;
 constexpr size_t NumListedOfMany = 5;
 
-/** Of the message that says how many more there are. */
+/** Code of the message that counts the messages left out. */
 constexpr int MoreDiagnosticsCode = 1025;
 
 /** Appends to Diagnostics. From the hundred-and-first of one kind on, they are only counted, in a last message of that
@@ -30,13 +30,13 @@ DRYDOCK_API void AddNewDiagnostics(std::vector<FDiagnostic>& Diagnostics, const 
 /** The list as AddDiagnostic would have made it. */
 DRYDOCK_API std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
-/** What a person is shown of a list of any length: of a kind with more than MaxListedAlike messages the first
- * NumListedOfMany, then how many more there are. Messages that stand for others count as those. A message of more than
- * 2000 bytes is cut. */
+/** Shortens a list of any length for people. A kind with more than MaxListedAlike messages keeps the first
+ * NumListedOfMany, then a message counts the rest. A message that represents several counts as that many. A message of
+ * more than 2000 bytes is cut. */
 DRYDOCK_API std::vector<FDiagnostic> SummarizeDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
-/** What to throw where memory is refused: DD5008, exit code 3. What: what the memory is for, "the texture X, 64 x 64";
- * NumBytes: how much of it, 0 where that is not known. */
+/** The error to throw when memory is refused: DD5008, exit code 3. The argument What names the memory's use, "the
+ * texture X, 64 x 64"; NumBytes: how much of it, 0 where that is not known. */
 DRYDOCK_API FError MakeMemoryError(const std::string& What, uint64_t NumBytes);
 
 } // namespace Drydock

@@ -1,4 +1,4 @@
-// What a process does when a signal tells it to end: takes its temporary files away, stops its children.
+// Registers what a process does when a signal tells it to end: it removes its temporary files and stops its children.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-/** Angles are radians unless a name says degrees. */
+/** Angles are in radians unless a function's name contains "degrees". */
 template<typename RealType>
 class TMathUtil
 {
@@ -58,7 +58,7 @@ public:
 	/** A at 0, B at 1. */
 	static RealType Lerp(RealType A, RealType B, RealType Alpha) { return (1 - Alpha) * A + Alpha * B; }
 	static RealType RoundHalfAwayFromZero(RealType Value) { return std::round(Value); }
-	/** How long the vector is. */
+	/** Length of the vector. */
 	static RealType Hypot(RealType X, RealType Y) { return std::hypot(X, Y); }
 };
 

@@ -1,4 +1,4 @@
-// The one way by which text goes to stdout and stderr: what strangers wrote cannot steer a terminal.
+// Prints all text to stdout and stderr, so that text from strangers cannot control a terminal.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,5 +1,5 @@
-// Files that strangers name are read here: only regular files, and of these no more than somebody wants. A pipe would
-// wait for ever, a device may act on being read, and an endless file fills the memory.
+// Reads files that strangers name: only regular files, and no more bytes than the caller wants. A pipe would wait for
+// ever, a device may act on being read, and an endless file fills the memory.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -20,8 +20,8 @@ constexpr size_t MaxTextBytes = size_t(16) << 20;
 class DRYDOCK_API FRegularFile
 {
 public:
-	/** Opens without waiting for anybody, and refuses what is no regular file once it is open: between a look and the
-	 * opening it could be replaced. */
+	/** Opens without waiting for anybody. A file that is not regular is refused once it is open, because it could be
+	 * replaced between a check and the opening. */
 	explicit FRegularFile(const std::string& Path);
 	~FRegularFile();
 	FRegularFile(const FRegularFile&) = delete;
@@ -30,7 +30,7 @@ public:
 	/** Why it cannot be read, "Permission denied" or "it is a folder"; empty while all is well. */
 	const std::string& GetProblem() const { return Problem; }
 
-	/** Bytes, as the system says; files of /proc have more than their 0. */
+	/** Bytes, as the system reports them; files of /proc have more than the reported 0. */
 	uint64_t GetSize() const { return Size; }
 
 	/** The number of bytes read: fewer than Count at the end of the file, or where reading fails, which is a problem.

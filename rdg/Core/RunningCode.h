@@ -1,5 +1,5 @@
-// Whose code runs on a thread, in words that are ready before anything can happen: for messages and for the handlers of
-// signals. CodeScope.h says it.
+// Describes whose code runs on a thread, in words that are prepared beforehand, for messages and for signal handlers.
+// CodeScope.h says it.
 #pragma once
 
 #include "CoreTypes.h"
@@ -9,7 +9,7 @@
 namespace Drydock
 {
 
-/** Whose code it is and from where it is called. */
+/** The owner of running code, and the place that called it. */
 struct FCodeOwner
 {
 	std::string Plugin = {};   // file name of the shared object; empty: drydock's own, or that of a program around it
@@ -23,7 +23,7 @@ struct FCodeOwner
 	DRYDOCK_API std::string Describe() const;
 };
 
-/** Of the innermost scope of this thread; null: none. */
+/** The code of the innermost scope of this thread; null: none. */
 DRYDOCK_API const FCodeOwner* GetRunningCode();
 
 /** A plugin's code runs on this thread. */
@@ -35,7 +35,7 @@ DRYDOCK_API FCodeOwner MakeCodeOwner(const std::string& Callback);
 /** Sets what GetRunningCode returns, and the words; returns what it was. For FCodeScope. */
 DRYDOCK_API const FCodeOwner* ExchangeRunningCode(const FCodeOwner* Owner);
 
-/** What a handler of signals may read: Describe() of the running code, outside any stack. */
+/** The text that a signal handler may read: Describe() of the running code, outside any stack. */
 struct FRunningWords
 {
 	bool bForeign = false;
@@ -43,8 +43,8 @@ struct FRunningWords
 };
 DRYDOCK_API const FRunningWords& GetRunningWords();
 
-/** For its scope this thread works for another, whose code and words (GetRunningCode, GetRunningWords) it takes over.
- * They must outlive it. */
+/** During its scope this thread works for another thread, whose code and words (GetRunningCode, GetRunningWords) it
+ * takes over. They must outlive it. */
 class DRYDOCK_API FBorrowedCode
 {
 public:

@@ -1,4 +1,4 @@
-// Where a call stands in the source.
+// Holds the place of a call in the source.
 #pragma once
 
 #include "CoreTypes.h"
@@ -6,8 +6,8 @@
 namespace Drydock
 {
 
-/** As std::source_location, which some compilers that build plugins lack (clang before 16), and one type for all of
- * them, since it stands in signatures of the library. */
+/** Replaces std::source_location, which some compilers that build plugins lack (clang before 16). It is one type for
+ * all compilers, because it stands in signatures of the library. */
 struct FSourceLocation
 {
 	const char* File = "";

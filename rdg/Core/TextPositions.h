@@ -1,4 +1,4 @@
-// Where an offset of a text stands, for messages.
+// Converts an offset of a text to line and column, for messages.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,6 +1,6 @@
-// Where in the transient heap each resource lies. Resources are placed in the order of their first pass, each at the
-// lowest offset that no resource alive at the same time covers (first fit). The heap is one block of the peak size.
-// (The engine's transient allocator works over pages of heaps instead.)
+// Places each resource in the transient heap. Resources are placed in the order of their first pass, each at the lowest
+// offset that no resource alive at the same time covers (first fit). The heap is one block of the peak size. (The
+// engine's transient allocator works over pages of heaps instead.)
 #pragma once
 
 #include "DrydockAPI.h"

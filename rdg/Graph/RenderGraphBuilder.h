@@ -69,7 +69,7 @@ public:
 
 	FRDGTextureUAVRef CreateUAV(
 		const FRDGTextureUAVDesc& Desc, ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None);
-	/** Of mip 0. */
+	/** Creates a view of mip 0. */
 	FRDGTextureUAVRef CreateUAV(FRDGTextureRef Texture,
 		ERDGUnorderedAccessViewFlags Flags = ERDGUnorderedAccessViewFlags::None, EPixelFormat Format = PF_Unknown)
 	{
@@ -272,14 +272,15 @@ public:
 
 	// Drydock's own -------------------------------------------------------------------------------------------------
 
-	/** What Execute would do. Executes nothing; throws what Execute would throw. Not after Execute: DD2004. */
+	/** Compiles the graph as Execute would do. Executes nothing; throws what Execute would throw. Not after Execute:
+	 * DD2004. */
 	Drydock::FRDGCompiledGraph Compile();
 
 	/** Ends the graph without executing it. */
 	void Discard();
 
-	/** Opens a scope that is no event: passes added in it are that effect's (FRDGPassDescription::Effect). Closed by
-	 * EndEventScope; see FRDGEffectScope. */
+	/** Opens a scope that is not an event: passes added in it belong to that effect (FRDGPassDescription::Effect).
+	 * Closed by EndEventScope; see FRDGEffectScope. */
 	void BeginEffectScope(const char* Effect);
 
 	/** Throws (DD2006, DD2013) unless Object is one of this graph: a texture, buffer, view, uniform buffer or pass.
@@ -352,7 +353,8 @@ private:
 namespace Drydock
 {
 
-/** Says whose passes are added until the end of the block; null or empty: nobody's, as those of a view extension. */
+/** Names the effect whose passes are added until the end of the block; null or empty: no effect's, as those of a view
+ * extension. */
 class DRYDOCK_API FRDGEffectScope
 {
 public:

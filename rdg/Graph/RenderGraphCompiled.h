@@ -128,7 +128,7 @@ struct FRDGResourceDescription
 	FRDGSubresources GetWhole() const { return {0, NumMips, 0, NumSlices, 0, NumPlanes}; }
 };
 
-/** What the phases start from. Passes include the prologue and the epilogue. */
+/** The input of the phases. Passes include the prologue and the epilogue. */
 struct FRDGGraphDescription
 {
 	std::string Name;
@@ -138,7 +138,7 @@ struct FRDGGraphDescription
 	int32_t GetEpilogue() const { return int32_t(Passes.size()) - 1; }
 };
 
-/** Where the readers of a culled pass lead: from one first reader to the next, all of them culled. */
+/** The chain of a culled pass's readers: from one first reader to the next, all of them culled. */
 struct FRDGCulledChain
 {
 	int32_t Next = -1;  // the first pass that depends on it; -1: none does

@@ -1,5 +1,5 @@
-// The r.RDG.* console variables. All of the engine's names exist; those that only steer a GPU or threads are read by
-// nobody and say so in their help. Source: engine RenderGraphPrivate.cpp.
+// Declares the r.RDG.* console variables. All of the engine's names exist; variables that only steer a GPU or threads
+// are not read, and their help reports this. Source: engine RenderGraphPrivate.cpp.
 #pragma once
 
 #include "CoreMinimal.h"

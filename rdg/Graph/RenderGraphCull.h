@@ -1,7 +1,7 @@
-// Which passes are left out. Every pass starts culled; roots and, from them, all producers are kept. Roots are the
-// sentinels, passes that must not be culled (NeverCull, no parameters, writes outside the graph) and the last writers
-// of extracted and external resources. Source: engine RenderGraphBuilder.cpp, restated; the chains of readers are
-// drydock's.
+// Culls passes that nothing needs. Every pass starts culled; roots and, from them, all producers are kept. Roots are
+// the sentinels, passes that must not be culled (NeverCull, no parameters, writes outside the graph) and the last
+// writers of extracted and external resources. Source: engine RenderGraphBuilder.cpp, restated; the chains of readers
+// are drydock's.
 #pragma once
 
 #include "RenderGraphDependencies.h"

@@ -14,7 +14,7 @@
 #define RDG_ENABLE_TRACE 0
 #define RDG_EVENTS 1
 
-/** What a pass does on the GPU. With parameters at least one of Raster, Compute, AsyncCompute and Copy. */
+/** The work of a pass on the GPU. With parameters at least one of Raster, Compute, AsyncCompute and Copy. */
 enum class ERDGPassFlags : uint16
 {
 	None = 0,
@@ -98,7 +98,7 @@ enum class ERDGViewableResourceType : uint8
 	MAX,
 };
 
-/** What a registered or extracted resource is left ready for. */
+/** The access that a registered or extracted resource is left ready for. */
 constexpr ERHIAccess kDefaultAccessInitial = ERHIAccess::Unknown;
 constexpr ERHIAccess kDefaultAccessFinal = ERHIAccess::SRVMask;
 

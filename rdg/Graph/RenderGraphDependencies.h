@@ -1,6 +1,6 @@
-// First phase: who depends on whom. Every subresource remembers its last writer on each pipeline; a pass that touches
-// it, reading or writing, depends on them; a pass that writes becomes the last writer. So a write after a write keeps
-// the earlier writer, and a write after a read makes no edge: passes are never reordered. Source: engine
+// First phase: finds which pass depends on which. Every subresource remembers its last writer on each pipeline; a pass
+// that touches it, reading or writing, depends on them; a pass that writes becomes the last writer. So a write after a
+// write keeps the earlier writer, and a write after a read makes no edge: passes are never reordered. Source: engine
 // RenderGraphBuilder.cpp, restated.
 #pragma once
 

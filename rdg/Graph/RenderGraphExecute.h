@@ -26,13 +26,13 @@ public:
 	/** Immediate mode: what is left when all passes have run. */
 	void FinishImmediate(const FRDGCompiledGraph& Compiled);
 
-	/** What RunGraph would announce for loading. */
+	/** The textures that RunGraph would announce for loading. */
 	std::vector<FRDGExternalLoad> PlanExternals(const FRDGCompiledGraph& Compiled);
 
 	/** Gives a texture or buffer memory from a pool, whoever uses it first. */
 	static void AllocatePooled(FRDGViewableResource& Resource);
 
-	/** What the pass of UseExternalAccessMode does. */
+	/** The action of the pass of UseExternalAccessMode. */
 	static void SetExternalAccess(FRDGViewableResource& Resource, bool bExternal);
 
 private:

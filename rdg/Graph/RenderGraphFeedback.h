@@ -22,7 +22,7 @@ public:
 	FRDGFeedbackTargets(
 		const FRDGPassDescription& Pass, TFunctionRef<FRHITexture*(int32)> GetTexture, FRHIRenderPassInfo& Info);
 
-	/** After the render pass: what was drawn goes where it belongs, and counts as drawn there. */
+	/** Called after the render pass: copies the drawn texels to their target, where they count as drawn. */
 	void PutBack(FRHICommandListImmediate& RHICmdList);
 
 private:

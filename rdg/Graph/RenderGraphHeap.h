@@ -7,8 +7,8 @@
 namespace Drydock
 {
 
-/** At least Bytes bytes, aligned to GRDGHeapAlignment. Contents are what the last graph left. Valid until the next
- * call. */
+/** Reserves at least Bytes bytes, aligned to GRDGHeapAlignment. Contents are what the last graph left. Valid until the
+ * next call. */
 uint8* ReserveTransientHeap(uint64 Bytes);
 
 /** End of a frame: frees the heap when no graph used it since the last call. */

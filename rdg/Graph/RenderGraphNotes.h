@@ -1,5 +1,6 @@
-// Remarks that passes leave on their graph: no mistakes of the graph, but what its author should know (a clamp, a loss,
-// a width that was not reached). They lie on the builder's blackboard; whoever runs the graph shows them.
+// Collects remarks that passes leave on their graph: not mistakes of the graph, but facts that its author should know
+// (a clamp, a loss, a width that was not reached). They lie on the builder's blackboard; whoever runs the graph shows
+// them.
 #pragma once
 
 #include "Diagnostics.h"

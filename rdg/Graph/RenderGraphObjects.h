@@ -23,7 +23,7 @@ enum class ERDGObject : uint8
 };
 ENUM_CLASS_FLAGS(ERDGObject)
 
-// What a pointer of that type may point to. The pointer is not looked into.
+// The kinds of objects that a pointer of that type may point to. The pointer is not dereferenced.
 inline ERDGObject GetKinds(const FRDGTexture*)
 {
 	return ERDGObject::Texture;

@@ -1,4 +1,4 @@
-// How the frame's host watches a graph: what was compiled, which external textures have to be filled, what each pass
+// Lets the frame's host watch a graph: what was compiled, which external textures have to be filled, what each pass
 // cost and wrote.
 #pragma once
 
@@ -16,7 +16,8 @@ struct FRDGExternalLoad
 {
 	FRDGTexture* Texture = nullptr;
 	const FRDGPass* Pass = nullptr; // the first that uses it
-	/** False where only a uniform buffer names it and the pass has not said which shader it runs: it may go unread. */
+	/** False if only a uniform buffer names the texture and the pass has not named its shader: the texture may go
+	 * unread. */
 	bool bIsRead = true;
 };
 
@@ -26,32 +27,33 @@ class DRYDOCK_API IRDGObserver
 public:
 	virtual ~IRDGObserver();
 
-	/** Before anything is executed. Immediate mode: at the end, when all passes are known. An executed graph's stays
-	 * until its builder goes. */
+	/** Called before anything is executed; in immediate mode at the end, when all passes are known. The compiled data
+	 * of an executed graph stay until its builder goes. */
 	virtual void OnGraphCompiled(const FRDGCompiledGraph&) {}
 
 	/** Registered textures that surviving passes use, before the first of these passes. Their RHI textures have no
-	 * memory unless somebody touched them: this is the moment to fill them. What a pass's uniform buffers name and its
-	 * shader does not read is left out. One that was announced with bIsRead false may come once more with true. */
+	 * memory unless somebody touched them: this is the moment to fill them. Textures that a pass's uniform buffers name
+	 * but its shader does not read are left out. One that was announced with bIsRead false may come once more with
+	 * true. */
 	virtual void OnLoadExternals(const std::vector<FRDGExternalLoad>&) {}
 
-	/** Of a graph that is discarded: what OnLoadExternals would have been told, for observers that want it. Shaders are
-	 * looked at, so they are compiled. */
+	/** Gives observers that want it the list that OnLoadExternals would have received, for a graph that is discarded.
+	 * The list depends on shaders, so they are compiled. */
 	virtual bool WantsPlannedExternals() const { return false; }
 	virtual void OnExternalsPlanned(const std::vector<FRDGExternalLoad>&) {}
 
 	/** Each pass of a graph that is discarded, in their order: its parameters may be read. */
 	virtual void OnPassPlanned(int32_t /*PassIndex*/, const FRDGPass&) {}
 
-	/** Whether what nobody has written yet is 0 in every texture that the graph makes, not what the memory held before:
-	 *  for observers that show textures beyond what passes wrote. Always the same answer. */
+	/** Whether texels that no pass has written yet are 0 in every texture that the graph makes, instead of the memory's
+	 * old contents: for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }
 
 	/** Whether the observer shows the warnings that OnGraphCompiled brings, so that the graph prints none itself. */
 	virtual bool ShowsWarnings() const { return false; }
 
-	/** After each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read through
-	 *  FRDGTexture::GetRHI during the call. */
+	/** Called after each pass. PassIndex is its position in FRDGCompiledGraph::Passes; WrittenTextures may be read
+	 * through FRDGTexture::GetRHI during the call. */
 	virtual void OnPassExecuted(int32_t /*PassIndex*/, const FRDGPass&, double /*Milliseconds*/, const FPassCounters&,
 		const std::vector<FRDGTexture*>& /*WrittenTextures*/)
 	{

@@ -19,7 +19,7 @@ struct FRDGUniformBufferResource
 	std::string HlslName; // "SceneTexturesStruct_GBufferBTexture"
 };
 
-/** What a pass's parameters refer to. */
+/** The resources that a pass's parameters refer to. */
 struct FRDGPassResources
 {
 	std::vector<FRDGViewableResource*> Viewables; // textures and buffers, each once, in the order of the parameters
@@ -29,8 +29,9 @@ struct FRDGPassResources
 	const FRenderTargetBindingSlots* TargetSlots = nullptr;
 };
 
-/** Fills the uses, targets and outputs of Pass, whose flags and pipeline are set. IsKnown tells pointers to this
- * graph's objects of these kinds from others; the first unknown one is thrown as FError before it is looked into. */
+/** Fills the uses, targets and outputs of Pass, whose flags and pipeline are set. IsKnown distinguishes pointers to
+ * this graph's objects of these kinds from others; the first unknown pointer is thrown as FError before it is
+ * dereferenced. */
 DRYDOCK_API FRDGPassResources CollectPassResources(const FShaderParametersMetadata& Metadata, const void* Parameters,
 	TFunctionRef<bool(const void*, ERDGObject)> IsKnown, FRDGPassDescription& Pass);
 

@@ -36,7 +36,7 @@ public:
 	/** Position in FRDGCompiledGraph::Passes: the prologue is 0, the first pass 1. */
 	int32 GetIndex() const { return Index; }
 
-	/** Where AddPass was called. */
+	/** The place in the source that called AddPass. */
 	const Drydock::FSourceLocation& GetLocation() const { return Location; }
 
 	/** Null for a pass without parameters. */
@@ -50,18 +50,18 @@ public:
 	void SetVertexShader(FShader& InShader) { VertexShaderToCompile = &InShader; }
 	const std::string& GetShader() const { return Shader; }
 	const std::string& GetEntry() const { return Entry; }
-	/** How these are going to run, as DescribeShaderRun says it; reads the files of shaders that have a hand-written
-	 * kernel. Empty: the pass names no shader. */
+	/** Describes how the pass's shaders are going to run, by DescribeShaderRun; reads the files of shaders that have a
+	 * hand-written kernel. Empty: the pass names no shader. */
 	std::string DescribeRun() const;
 
-	/** Whose pass it is, by the innermost FRDGEffectScope; empty: nobody's. */
+	/** The effect that the pass belongs to, by the innermost FRDGEffectScope; empty: none. */
 	const std::string& GetEffect() const { return Effect; }
 
 	/** Pixels that it draws, where whoever added it knows; else 0. */
 	void SetArea(FIntPoint InArea) { Area = InArea; }
 	FIntPoint GetArea() const { return Area; }
 
-	/** Whose code added it, and so whose its lambda is. */
+	/** The owner of the code that added the pass, and so of its lambda. */
 	const Drydock::FCodeOwner& GetOwner() const { return Owner; }
 
 	/** Known once compiled. */

@@ -113,7 +113,7 @@ public:
 
 	FRDGTextureSubresourceLayout GetSubresourceLayout() const { return Layout; }
 	FRDGTextureSubresourceRange GetSubresourceRange() const { return FRDGTextureSubresourceRange(Layout); }
-	/** What a shader-resource view of everything covers: of depth-stencil textures the depth only. */
+	/** Range of a shader-resource view of everything; of depth-stencil textures it covers the depth only. */
 	FRDGTextureSubresourceRange GetSubresourceRangeSRV() const
 	{
 		FRDGTextureSubresourceRange Range(Layout);
@@ -238,7 +238,7 @@ public:
 	FRDGBufferRef Buffer = nullptr;
 };
 
-/** Of Append, Consume and IncrementCounter: set bSupportsAppendBuffer or bSupportsAtomicCounter. What their counter is:
+/** Append, Consume and IncrementCounter need bSupportsAppendBuffer or bSupportsAtomicCounter. Their counter is
  * FRHIUnorderedAccessView::GetKernelCounter. */
 class FRDGBufferUAVDesc final : public FRHIBufferUAVCreateInfo
 {
@@ -403,7 +403,7 @@ private:
 	const void* ContentsData;
 };
 
-/** What GetParameters returns: the struct, by -> or *. */
+/** The result of GetParameters: gives the struct, by -> or *. */
 template<typename ParameterStructType>
 class TRDGParameterStruct
 {

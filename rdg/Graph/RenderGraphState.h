@@ -1,4 +1,4 @@
-// What a builder holds between its calls. Internal to this folder.
+// Holds a builder's state between its calls. Internal to this folder.
 #pragma once
 
 #include "RenderGraphAllocator.h"

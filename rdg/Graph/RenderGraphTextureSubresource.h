@@ -13,7 +13,8 @@ struct FRDGTextureSubresource
 	bool operator==(const FRDGTextureSubresource&) const = default;
 };
 
-/** How many of each a texture has; gives every subresource an index (mip fastest, then slice, then plane). */
+/** Numbers of a texture's mips, slices and planes; gives every subresource an index (mip fastest, then slice, then
+ * plane). */
 struct FRDGTextureSubresourceLayout
 {
 	FRDGTextureSubresourceLayout() = default;

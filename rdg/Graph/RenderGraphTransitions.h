@@ -15,8 +15,8 @@ struct FRDGTransitionOptions
 	std::vector<bool> bTransient; // by resource: starts as Discard
 };
 
-/** By EndPass, then resource, then subresource; boxes of equal transitions are joined when they cover the whole
- * resource. */
+/** Finds transitions, ordered by EndPass, then resource, then subresource; boxes of equal transitions are joined when
+ * they cover the whole resource. */
 DRYDOCK_API std::vector<FRDGTransition> FindTransitions(
 	const FRDGGraphDescription& Graph, const std::vector<bool>& bCulled, const FRDGTransitionOptions& Options);
 

@@ -1,5 +1,5 @@
-// What can be said about a declared graph before compiling it: pass flags, render targets, hazards, reads of what
-// nobody wrote. Everything is collected. Source: engine RenderGraphValidation.cpp, restated.
+// Validates a declared graph before it is compiled: pass flags, render targets, hazards, reads of what nobody wrote.
+// All errors are collected. Source: engine RenderGraphValidation.cpp, restated.
 #pragma once
 
 #include "RenderGraphCompiled.h"

@@ -46,7 +46,7 @@ struct DRYDOCK_API FPixelShaderUtils
 	}
 
 	/** Adds a raster pass that runs the pixel shader over Viewport of its render targets. The shader receives
-	 * SV_POSITION only. What it does not read of Parameters is dropped before the pass is added. */
+	 * SV_POSITION only. Members of Parameters that it does not read are dropped before the pass is added. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddFullscreenPass(FRDGBuilder& GraphBuilder, const FGlobalShaderMap*, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& PixelShader, typename TShaderClass::FParameters* Parameters,

@@ -115,7 +115,7 @@ DRYDOCK_API void AddClearUAVPass(FRDGBuilder& GraphBuilder, FRDGTextureUAVRef Te
 
 // Readbacks ---------------------------------------------------------------------------------------------------------
 
-/** What the readback holds can be read right after Execute. */
+/** The readback's data can be read right after Execute. */
 DRYDOCK_API void AddEnqueueCopyPass(FRDGBuilder& GraphBuilder, FRHIGPUTextureReadback* Readback,
 	FRDGTextureRef SourceTexture, FResolveRect Rect = FResolveRect(),
 	Drydock::FSourceLocation Location = Drydock::FSourceLocation::Current());
@@ -209,8 +209,9 @@ inline FRHIBuffer* TryGetRHI(FRDGBufferRef Buffer)
 	return Buffer ? Buffer->GetRHI() : nullptr;
 }
 
-/** Textures of another pass's parameters that are bound as targets or views can be null; this tells the binding of one.
- */
+/** Textures of another pass's parameters that are bound as targets or views can be null; this reports whether the
+ * binding has one.
+ * */
 inline bool HasBeenProduced(const FRenderTargetBinding& Binding)
 {
 	return Binding.GetTexture() && Binding.GetTexture()->HasBeenProduced();
@@ -332,7 +333,7 @@ struct FComputeShaderUtils
 			RHICmdList, ComputeShader, Parameters, IndirectArgsBuffer->GetIndirectRHICallBuffer(), IndirectArgOffset);
 	}
 
-	/** Adds a pass that dispatches the shader. What it does not read of Parameters is dropped first. */
+	/** Adds a pass that dispatches the shader. Members of Parameters that it does not read are dropped first. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,
@@ -351,7 +352,7 @@ struct FComputeShaderUtils
 			GraphBuilder, MoveTemp(PassName), ERDGPassFlags::Compute, ComputeShader, Parameters, GroupCount, Location);
 	}
 
-	/** With the parameters' metadata given apart. */
+	/** The same with the parameters' metadata given apart. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, ERDGPassFlags PassFlags,
 		const TShaderRef<TShaderClass>& ComputeShader, const FShaderParametersMetadata* ParametersMetadata,
@@ -371,7 +372,7 @@ struct FComputeShaderUtils
 		return Pass;
 	}
 
-	/** With the group count known when the pass runs. */
+	/** The same with a group count that is known only when the pass runs. */
 	template<typename TShaderClass>
 	static FRDGPassRef AddPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName,
 		const TShaderRef<TShaderClass>& ComputeShader, typename TShaderClass::FParameters* Parameters,

@@ -198,7 +198,7 @@ DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTran
 DRYDOCK_API FScreenPassTextureViewportTransform GetScreenPassTextureViewportTransform(
 	const FScreenPassTextureViewportParameters& Source, const FScreenPassTextureViewportParameters& Destination);
 
-/** What a screen pass wants of a view: nothing that a CPU needs, so anything view-like converts to it. */
+/** The parameter type for a screen pass's view: a CPU needs nothing of it, so anything view-like converts to it. */
 struct FScreenPassViewInfo
 {
 	FScreenPassViewInfo() = default;
@@ -219,8 +219,8 @@ enum class EScreenPassDrawFlags : uint8
 };
 ENUM_CLASS_FLAGS(EScreenPassDrawFlags)
 
-/** What the engine's DrawRectangle gives Common.ush's DrawRectangle: the rectangle in pixels of the viewport, and the
- * UV rectangle in texels, each as scale (x, y) and bias (z, w) of the unit square. */
+/** The values that the engine's DrawRectangle gives Common.ush's DrawRectangle: the rectangle in pixels of the
+ * viewport, and the UV rectangle in texels, each as scale (x, y) and bias (z, w) of the unit square. */
 BEGIN_GLOBAL_SHADER_PARAMETER_STRUCT(FDrawRectangleParameters, DRYDOCK_API)
 	SHADER_PARAMETER(FVector4f, PosScaleBias)
 	SHADER_PARAMETER(FVector4f, UVScaleBias)
@@ -339,8 +339,8 @@ void DrawScreenPass(FRHICommandList& RHICmdList, const FScreenPassViewInfo& View
 		RHICmdList, ViewInfo, OutputViewport, InputViewport, PipelineState, EScreenPassDrawFlags::None, SetupFunction);
 }
 
-/** Draws the pixel shader over OutputViewport's rectangle; it finds the UV of InputViewport in TEXCOORD0. What the
- * shader does not read of PixelShaderParameters is dropped before the pass is added. */
+/** Draws the pixel shader over OutputViewport's rectangle; it finds the UV of InputViewport in TEXCOORD0. Members of
+ * PixelShaderParameters that the shader does not read are dropped before the pass is added. */
 template<typename TPixelShader>
 FRDGPassRef AddDrawScreenPass(FRDGBuilder& GraphBuilder, FRDGEventName&& PassName, const FScreenPassViewInfo&,
 	const FScreenPassTextureViewport& OutputViewport, const FScreenPassTextureViewport& InputViewport,

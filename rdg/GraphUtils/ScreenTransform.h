@@ -21,7 +21,7 @@ public:
 	{
 	}
 
-	/** What positions are measured in. Neighbours convert by one transform each; the order is the engine's. */
+	/** The unit that positions are measured in. Neighbours convert by one transform each; the order is the engine's. */
 	enum class ETextureBasis : uint8
 	{
 		ScreenPosition, // -1..1, y up, over the viewport
@@ -35,8 +35,8 @@ public:
 	static const FScreenTransform ScreenPosToViewportUV;
 	static const FScreenTransform ViewportUVToScreenPos;
 
-	/** From one basis of a texture's viewport to another. The first is defined in ScreenPass.cpp, where the viewport is
-	 * known. */
+	/** The transform from one basis of a texture's viewport to another. The first is defined in ScreenPass.cpp, where
+	 * the viewport is known. */
 	static DRYDOCK_API FScreenTransform ChangeTextureBasisFromTo(
 		const FScreenPassTextureViewport& TextureViewport, ETextureBasis SrcBasis, ETextureBasis DestBasis);
 	static DRYDOCK_API FScreenTransform ChangeTextureBasisFromTo(const FIntPoint& TextureExtent,

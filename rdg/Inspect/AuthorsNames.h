@@ -16,8 +16,8 @@ struct FNamedVariable
 	uint32_t Type = 0; // numeric
 };
 
-/** By block of the program: whether the author wrote its function. Around the entry point the front end puts one of its
- * own, which has lines of the author's. */
+/** Whether the author wrote a block's function, by block of the program. The front end wraps the entry point in a
+ * function of its own, which has lines of the author's. */
 std::vector<bool> FindAuthorsBlocks(const FSpirvModule& Module);
 
 class FAuthorsNames
@@ -26,7 +26,8 @@ public:
 	/** Program outlives it. */
 	explicit FAuthorsNames(const FSpirvProgram& InProgram);
 
-	/** What a pointer is of: a variable or parameter, or part of one. Nothing where the front end made it up. */
+	/** The variable or parameter, or the part of one, that a pointer points to. Nothing where the front end made it up.
+	 */
 	std::optional<FNamedVariable> Find(uint32_t Pointer) const;
 
 	/** First word of the whole variable that a pointer points into while a thread runs; GNoSpirvWord: it is none. */

@@ -1,4 +1,4 @@
-// What each thread of a draw or dispatch costs: taps and operations, loops included.
+// Counts the cost of each thread of a draw or dispatch: taps and operations, loops included.
 #pragma once
 
 #include "ThreadRuns.h"

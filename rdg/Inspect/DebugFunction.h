@@ -1,4 +1,4 @@
-// Which of a function's variables a debugger shows, by which names and in which braces.
+// Chooses the variables of a function that a debugger shows, with their names and the braces they stand in.
 #pragma once
 
 #include "DebugTypes.h"

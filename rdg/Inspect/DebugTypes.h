@@ -29,9 +29,9 @@ public:
 
 	/** Numbers and bools alone, no textures and the like. */
 	bool IsNumeric(uint32_t Type) const { return Module.GetType(Type).NumScalars > 0; }
-	/** What C++ neither passes nor returns by value. */
+	/** True for a type that C++ neither passes nor returns by value. */
 	bool IsArray(uint32_t Type) const;
-	/** How an element or member is written behind what holds it: ".x", "[2]", ".Weight". */
+	/** The text of an element or member behind its object: ".x", "[2]", ".Weight". */
 	std::string ElementOf(uint32_t Type, uint32_t Index) const;
 
 	/** Statements that copy a variable to words, and back. Words: an expression for their address. */

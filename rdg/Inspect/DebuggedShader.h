@@ -11,12 +11,12 @@
 namespace Drydock
 {
 
-/** What a thread did under the debugger. */
+/** The results of a thread under the debugger. */
 struct FDebuggedThread
 {
 	bool bDiscarded = false;
 	std::vector<std::vector<double>> Targets; // by SV_Target: what was written, before the format rounds it
-	/** The thread that somebody asked for in the debugger, by DrydockDebugPixel. */
+	/** The thread that the user asked for in the debugger, by DrydockDebugPixel. */
 	std::optional<std::array<int32_t, 3>> Next;
 };
 

@@ -1,4 +1,4 @@
-// Which texels a sample is made of, and by which weights.
+// Finds the texels of a sample and their weights.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -20,7 +20,7 @@ struct FFootprintTexel
 	double Value[4] = {};
 };
 
-/** Where a sample or gather falls. */
+/** The place where a sample or gather falls. */
 struct FFootprintPlace
 {
 	double At[3] = {}; // U, V, W of a volume; of a cube the direction
@@ -30,12 +30,13 @@ struct FFootprintPlace
 	bool bCube = false;
 };
 
-/** Of a sample: texels whose weight is not 0, by mip, then Z, Y, X. Source: D3D11 functional specification 7.18,
- * written a second time beside the samplers but for the faces of cubes. */
+/** The footprint of a sample: texels whose weight is not 0, by mip, then Z, Y, X. Source: D3D11 functional
+ * specification 7.18, written a second time beside the samplers but for the faces of cubes. */
 DRYDOCK_API std::vector<FFootprintTexel> FindFootprint(
 	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FFootprintPlace& Place);
 
-/** Of a gather: the texels that it takes a component of, on level 0, each with how many of the four it is. */
+/** The footprint of a gather: the texels that it takes a component of, on level 0, each with the number of components
+ * out of four. */
 DRYDOCK_API std::vector<FFootprintTexel> FindGathered(
 	const FKernelTexture& Texture, const FKernelSampler& Sampler, const FFootprintPlace& Place);
 

@@ -1,5 +1,5 @@
-// Threads of groups, and pixels of quads, run once more one by one: each group is run as a whole first, and what its
-// threads saw of each other is kept.
+// Runs threads of groups, and pixels of quads, once more one by one. Each group is run as a whole first, and the values
+// that its threads read from each other are kept.
 #pragma once
 
 #include "InspectedShader.h"
@@ -17,7 +17,7 @@ struct FGroupOfThreads
 	std::vector<size_t> Threads;
 };
 
-/** By z, y and x. */
+/** Sorts threads by their groups: by z, y and x. */
 DRYDOCK_API std::vector<FGroupOfThreads> SortByGroups(
 	const FInspectedShader& Shader, const std::vector<std::array<int32_t, 3>>& Threads);
 
@@ -37,7 +37,7 @@ public:
 
 	void SetRaceFinder(FRaceFinder* Races) { Group.SetRaceFinder(Races); }
 
-	/** What the group's stores do is done; of a quad, those of the pixels that are drawn: bit i for the i-th. */
+	/** Runs the group with its stores; of a quad, only those of the pixels that are drawn: bit i for the i-th. */
 	void Run(const FKernelArgs& Args, const std::array<int32_t, 3>& GroupId, uint64_t MaxSteps, uint32_t Drawn = ~0u)
 	{
 		const int32_t Id[3] = {GroupId[0], GroupId[1], GroupId[2]};

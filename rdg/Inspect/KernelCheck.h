@@ -1,5 +1,5 @@
-// What goes wrong inside a shader: the first line of a dispatch that makes NaN or infinity of numbers, that a format
-// cannot hold, that reaches outside or uses what nothing wrote; and on which pixels.
+// Finds faults inside a shader: the first line of a dispatch that makes NaN or infinity from numbers, whose value a
+// format cannot hold, that reaches outside or reads what nothing wrote; and the pixels concerned.
 #pragma once
 
 #include "InspectedShader.h"
@@ -33,7 +33,7 @@ struct FCheckSet
 	std::array<bool, size_t(ECheck::Count)> bOn{};
 
 	bool operator[](ECheck Check) const { return bOn[size_t(Check)]; }
-	/** Whether all threads have to be looked at: no stored texel tells of these. */
+	/** Whether all threads have to be examined, because stored texels do not show the faults in question. */
 	bool NeedsEveryThread() const
 	{
 		return (*this)[ECheck::Bounds] || (*this)[ECheck::Uninitialized] || (*this)[ECheck::Overlap] ||

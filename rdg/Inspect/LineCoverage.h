@@ -1,4 +1,4 @@
-// How many threads of a draw or dispatch ran each line of a shader.
+// Counts the threads of a draw or dispatch that ran each line of a shader.
 #pragma once
 
 #include "ThreadRuns.h"

@@ -1,4 +1,4 @@
-// What a line of a shader computes, for every thread of a draw or dispatch: a value as a picture.
+// Collects the value that a line of a shader computes, for every thread of a draw or dispatch, as a picture.
 #pragma once
 
 #include "ThreadRuns.h"
@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** A line as somebody types it: "Bloom.usf:41" or "Bloom.usf:41:Weight". */
+/** A line as a user types it: "Bloom.usf:41" or "Bloom.usf:41:Weight". */
 struct FLinePlace
 {
 	std::string File; // a virtual path, or the end of one
@@ -33,12 +33,12 @@ struct FLineValues
 	std::vector<uint8_t> bReached; // by thread: 1 where the line ran
 };
 
-/** Whether a virtual path is the file that somebody names. */
+/** Whether a virtual path is the file that a user names. */
 DRYDOCK_API bool IsFileNamed(const std::string& Path, const std::string& Name);
 
-/** The value that the line gives, or that the variable has there; of a loop the last round's. Nothing where this shader
- * is not made of the file; nor where it has no value there: Problem then says why, with the nearest lines that give
- * one, or the names of variables. */
+/** The value that the line gives, or that the variable has there; in a loop, the value of the last round. Nothing if
+ * this shader is not made of the file. Nothing if it has no value there: Problem then gives the reason, with the
+ * nearest lines that give a value, or the names of variables. */
 DRYDOCK_API std::optional<FLineValues> CollectLineValues(FInspectedShader& Shader, const FBoundShader& Bound,
 	const FKernelArgs& Args, const FKernelTile& Whole, const FLinePlace& Place, std::string& Problem);
 

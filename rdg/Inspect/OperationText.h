@@ -1,4 +1,4 @@
-// An instruction with its numbers, as somebody would write it: "pow(-0.25, 2.2)".
+// Writes an instruction with its numbers, as a person would: "pow(-0.25, 2.2)".
 #pragma once
 
 #include "SpirvObserver.h"
@@ -14,7 +14,8 @@ DRYDOCK_API std::string FormatReal(double Value);
 /** The number in a word of a thread, of any kind; integers with all of their digits. */
 std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind);
 
-/** Of one component of the result of arithmetic; the operation's number where HLSL has no sign or function for it. */
+/** Describes one component of the result of arithmetic; by the operation's number where HLSL has no sign or function
+ * for it. */
 std::string DescribeOperation(
 	const FSpirvProgram& Program, const FSpirvThreadView& Thread, const FSpirvStep& Step, uint32_t Component);
 

@@ -1,4 +1,4 @@
-// What one thread of a shader did, line by line: data, which text and JSON are made of.
+// Holds the steps of one shader thread, line by line: data that text and JSON are made from.
 #pragma once
 
 #include "Footprint.h"

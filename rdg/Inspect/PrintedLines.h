@@ -1,4 +1,4 @@
-// What the threads of a shader print: DrydockPrint, and the engine's ShaderPrint.
+// Collects what the threads of a shader print: DrydockPrint, and the engine's ShaderPrint.
 #pragma once
 
 #include "ThreadRuns.h"
@@ -36,8 +36,8 @@ struct FPrintedValue
 	ESpirvType Kind = ESpirvType::Float; // of each
 };
 
-/** printf's conversions, each for the next value whatever its size: "%f at %d". Precision and %x are heeded. What has
- * no conversion follows behind blanks. */
+/** printf's conversions, each for the next value whatever its size: "%f at %d". Precision and %x are heeded. Values
+ * without a conversion follow, separated by blanks. */
 DRYDOCK_API std::string FormatPrinted(const std::string& Format, const std::vector<FPrintedValue>& Values);
 
 } // namespace Drydock

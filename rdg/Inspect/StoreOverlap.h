@@ -1,4 +1,4 @@
-// Threads of one dispatch that store different values to one texel or element: which of them stays is chance.
+// Finds threads of one dispatch that store different values to one texel or element: the value that remains is chance.
 #pragma once
 
 #include "SpirvProgram.h"

@@ -1,4 +1,4 @@
-// The threads of a draw or dispatch, run once more by the interpreter for somebody who watches them.
+// Runs the threads of a draw or dispatch once more by the interpreter, for a watcher.
 #pragma once
 
 #include "GroupRuns.h"
@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** Somebody who watches threads one after the other. */
+/** An observer that watches threads one after the other. */
 class DRYDOCK_API IThreadWatcher : public ISpirvObserver
 {
 public:
@@ -19,7 +19,8 @@ public:
 	/** Index counts the threads of all pieces. */
 	virtual void BeginThread(size_t /*Index*/, TSpirvThread<float>&) {}
 	virtual void EndThread(size_t /*Index*/, TSpirvThread<float>&) {}
-	/** Who is told of groupshared memory while a group runs, before its threads are shown; and when that is over. */
+	/** The finder that sees accesses to groupshared memory while a group runs, before its threads are shown. EndGroup
+	 * is called when the group is over. */
 	virtual FRaceFinder* GetRaceFinder() { return nullptr; }
 	virtual void EndGroup(const std::array<int32_t, 3>& /*GroupId*/) {}
 };
@@ -27,7 +28,7 @@ public:
 /** x first, then y, then z. */
 DRYDOCK_API std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole);
 
-/** Threads in pieces that may run side by side. Where threads see what others stored, there is one piece, in order. */
+/** Threads in pieces that may run side by side. If threads see the stores of others, there is one piece, in order. */
 class DRYDOCK_API FThreadRuns
 {
 public:
@@ -39,7 +40,8 @@ public:
 	const std::vector<std::array<int32_t, 3>>& GetThreads() const { return Threads; }
 
 	/** Runs all, on copies of what the shader writes, under the denormal mode of kernels; each piece is watched by its
-	 * own watcher. Which steps are shown is said by their hooks. Throws FSpirvError where a thread does not end. */
+	 * own watcher. The watchers' hooks choose the steps that are shown. Throws FSpirvError where a thread does not end.
+	 */
 	void Run(TFunctionRef<IThreadWatcher&(size_t Piece)> GetWatcher, bool bTrackUndefined = false) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** Runs one thread and says what it did. Args are read and, where the shader writes to textures and buffers, written:
+/** Runs one thread and records its steps. Args are read and, where the shader writes to textures and buffers, written:
  * give it a sandbox (Sandbox.h). bDouble: in double. Throws FSpirvError where the shader does not end. */
 DRYDOCK_API FPixelTrace TracePixel(
 	FInspectedShader& Shader, const FKernelArgs& Args, const int32_t (&Position)[3], bool bDouble, uint64_t MaxSteps);

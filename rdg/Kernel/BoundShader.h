@@ -18,7 +18,7 @@ class FShader;
 namespace Drydock
 {
 
-/** What a hand-written kernel receives: the arguments in the slots of the shader's reflection, which it looks up by
+/** The arguments of a hand-written kernel: the arguments in the slots of the shader's reflection, which it looks up by
  * HLSL name, and the pass's own C++ parameter struct. Lookups are linear: make them per tile, not per pixel. */
 class DRYDOCK_API FNativeKernelArgs
 {
@@ -44,8 +44,8 @@ public:
 	const void* GetParameters() const { return Parameters; }
 	int32_t GetPermutationId() const { return PermutationId; }
 
-	/** The number of the pass's binding, above 0: no two of a process have the same. What it reads does not change, so
-	 * a thread may keep from tile to tile what it has made of it. */
+	/** The number of the pass's binding, above 0: no two of a process have the same. The pass's inputs do not change,
+	 * so a thread may keep values computed from them from tile to tile. */
 	uint64_t GetPass() const { return Pass; }
 
 private:

@@ -1,5 +1,5 @@
-// The binary interface between a shader that was compiled for a debugger, one thread at a time, and the library: what
-// the generated code keeps to itself is the author's variables and where control is, all else is the interpreter's.
+// The binary interface between a shader that was compiled for a debugger, one thread at a time, and the library: the
+// generated code owns the author's variables and the control flow, and the interpreter owns all else.
 #pragma once
 
 #include <cstdint>

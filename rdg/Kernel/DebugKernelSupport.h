@@ -1,5 +1,5 @@
-// What shaders compiled for a debugger have in common, besides their own functions: where the run's words are, and what
-// a person may call from the debugger. Included by generated code only.
+// Declares what shaders compiled for a debugger share, besides their own functions: the place of the run's words, and
+// the functions that a person may call from the debugger. Included by generated code only.
 #pragma once
 
 #include "DebugKernel.h"

@@ -1,4 +1,4 @@
-// Somebody who runs shaders in place of their kernels: another device, which is given what a kernel would be given.
+// Declares a backend that runs shaders in place of their kernels: another device, which gets a kernel's arguments.
 #pragma once
 
 #include "BoundShader.h"
@@ -18,7 +18,7 @@ public:
 	 * Not empty: why it cannot; then nothing was written, and the kernel runs. */
 	virtual std::string Run(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) = 0;
 
-	/** What shaders run on, for people to read. */
+	/** Name of the device that shaders run on, for people to read. */
 	virtual std::string GetDeviceName() const = 0;
 };
 

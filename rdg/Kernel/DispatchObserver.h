@@ -1,4 +1,4 @@
-// Somebody who looks at shaders while passes run: at what each was given, and at what it wrote.
+// Declares an observer of shaders while passes run: it sees each shader's arguments and results.
 #pragma once
 
 #include "BoundShader.h"
@@ -7,7 +7,7 @@ namespace Drydock
 {
 
 /** Calls come from the thread that executes the graph, around all tiles of one draw or dispatch. Textures and buffers
- * may be read during a call; who wants to run the shader himself does so on copies of what it writes. */
+ * may be read during a call; an observer that wants to run the shader itself does so on copies of what it writes. */
 class DRYDOCK_API IDispatchObserver
 {
 public:
@@ -16,10 +16,10 @@ public:
 	virtual void AfterDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
 };
 
-/** Null: nobody looks. */
+/** Null: there is no observer. */
 DRYDOCK_API IDispatchObserver* GetDispatchObserver();
 
-/** For its scope the observer sees every dispatch of the process. One at a time. */
+/** During its scope the observer sees every dispatch of the process. There can be one at a time. */
 class DRYDOCK_API FScopedDispatchObserver
 {
 public:

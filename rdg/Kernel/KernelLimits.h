@@ -1,5 +1,5 @@
-// What becomes of a loop of a shader that does not end: it is stopped after r.Drydock.ShaderLoopLimit turns, with a
-// message that names pass, shader, line and pixel. A GPU's driver would take the device away.
+// Stops a shader's loop that does not end, after r.Drydock.ShaderLoopLimit turns, with a message that names pass,
+// shader, line and pixel. A GPU's driver would take the device away.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -1,4 +1,4 @@
-// The way back from a hand-written kernel to the shader that it stands in for, where it cannot keep its promise.
+// Runs the shader in place of its hand-written kernel, where the kernel cannot give the same result.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -14,7 +14,7 @@ struct FKernelTile;
 /** Runs the compiled .usf on a tile or a part of one. Args: those that the kernel was called with. */
 DRYDOCK_API void RunShader(const FNativeKernelArgs& Args, const FKernelTile& Tile);
 
-/** How often RunShader has been called in this process; for tests. */
+/** Number of calls of RunShader in this process; for tests. */
 DRYDOCK_API uint64_t GetNativeFallbacks();
 
 } // namespace Drydock

@@ -11,7 +11,7 @@ namespace Drydock
 /** Bumped whenever a struct or a meaning below changes; part of the cache key of every compiled shader. */
 constexpr uint32_t GShaderKernelVersion = 2;
 
-/** How one texel lies in memory. A texture's storage follows from its EPixelFormat and from r.Drydock.Storage. */
+/** The layout of one texel in memory. A texture's storage follows from its EPixelFormat and from r.Drydock.Storage. */
 enum class ETexelStorage : uint8_t
 {
 	R8_UNORM,
@@ -161,7 +161,7 @@ struct FKernelInterpolant
 	double DY[4];
 };
 
-/** Counters of one run of a kernel over one tile; null when nobody counts. */
+/** Counters of one run of a kernel over one tile; null when nothing is counted. */
 struct FKernelCounters
 {
 	uint64_t Samples;
@@ -169,7 +169,7 @@ struct FKernelCounters
 	uint64_t Stores;
 };
 
-/** How far a kernel may go, and whom it tells that it went further (KernelLimits.h). */
+/** The limits of a kernel, and the functions that it calls when it exceeds them (KernelLimits.h). */
 struct FKernelLimits
 {
 	uint32_t LoopTurns; // of a loop that the shader's text does not bound
@@ -207,7 +207,7 @@ struct FKernelTile
 
 using FKernelFunction = void (*)(const FKernelArgs& Args, const FKernelTile& Tile);
 
-/** What a compiled shader exports under the C name "DrydockShaderKernel". */
+/** The data that a compiled shader exports under the C name "DrydockShaderKernel". */
 struct FKernelModule
 {
 	uint32_t Version; // GShaderKernelVersion

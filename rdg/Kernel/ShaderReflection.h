@@ -1,5 +1,5 @@
-// What a compiled shader says of its parameters, read from its SPIR-V: plain data, matched by name and type against the
-// C++ parameter structs.
+// Describes a compiled shader's parameters, read from its SPIR-V: plain data, matched by name and type against the C++
+// parameter structs.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -17,7 +17,7 @@ enum class EShaderStage : uint8_t
 	Compute,
 	Vertex
 };
-/** Of 32 bits, where no width is said. */
+/** Scalar types; of 32 bits, where no width is named. */
 enum class EShaderScalar : uint8_t
 {
 	Float,
@@ -42,7 +42,8 @@ enum class EShaderDimension : uint8_t
 	ByteAddressBuffer
 };
 
-/** Which flag the view of a hidden counter needs: any that gives it one, where the shader does not say. */
+/** The flag that the view of a hidden counter needs: any flag that gives it a counter, where the shader does not name
+ * one. */
 enum class EShaderCounter : uint8_t
 {
 	Any,

@@ -1,5 +1,5 @@
-// A vertex shader that is ready to run, one vertex after the other: what a draw gives it and what it gives back. Draws
-// of post-processing have three to six vertices, so nothing is compiled to machine code for them.
+// Holds a vertex shader that is ready to run, one vertex after the other: its inputs from a draw, and its outputs.
+// Draws of post-processing have three to six vertices, so nothing is compiled to machine code for them.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -14,7 +14,7 @@ namespace Drydock
 constexpr int32_t GMaxVertexAttributes = 16;
 constexpr int32_t GMaxTexCoords = 16;
 
-/** What a vertex shader reads besides its parameters. */
+/** The inputs that a vertex shader reads besides its parameters. */
 struct FVertexInput
 {
 	uint32_t VertexId = 0;
@@ -22,7 +22,7 @@ struct FVertexInput
 	double Attributes[GMaxVertexAttributes][4] = {}; // by the n of ATTRIBUTEn
 };
 
-/** What it writes. */
+/** The outputs that a vertex shader writes. */
 struct FVertexOutput
 {
 	float Position[4] = {};                 // SV_POSITION, clip space

@@ -1,5 +1,5 @@
-// What generated kernels need beyond the lane vocabulary: array elements at run-time indices, offsets into buffers,
-// counters, and what is kept over a tile. Included by generated code only.
+// Provides what generated kernels need beyond the lane vocabulary: array elements at run-time indices, offsets into
+// buffers, counters, and values kept over a tile. Included by generated code only.
 #pragma once
 
 #include "Lanes.h"
@@ -126,7 +126,7 @@ DRYDOCK_LANES_INLINE TUint<N> ElementOffset(
 	return ElementOffset(Buffer, AsUint(Index), Stride, Member);
 }
 
-/** Adds the lanes of the mask to one counter, when somebody counts. */
+/** Adds the lanes of the mask to one counter, if the run counts. */
 template<int N>
 DRYDOCK_LANES_INLINE void CountLanesOf(const FKernelArgs& Args, uint64_t FKernelCounters::*Counter, TMask<N> Mask)
 {
@@ -142,8 +142,8 @@ DRYDOCK_LANES_INLINE uint32_t GetLoopTurns(const FKernelArgs& Args)
 	return Args.Limits ? Args.Limits->LoopTurns : 0xFFFFFFFFu;
 }
 
-/** A loop took more turns. Where it says so nothing has to be kept, which is what makes counting cost next to nothing.
- */
+/** Reports a loop that took more turns. The call does not return, so no state has to be kept for it, and counting costs
+ * next to nothing. */
 [[noreturn]] DRYDOCK_LANES_INLINE void EndLoop(
 	const FKernelArgs& Args, const char* File, int32_t Line, int32_t X, int32_t Y, int32_t Z)
 {
@@ -151,8 +151,8 @@ DRYDOCK_LANES_INLINE uint32_t GetLoopTurns(const FKernelArgs& Args)
 	__builtin_unreachable();
 }
 
-/** What is computed anew in each turn of a loop, and alike by all packs of a tile: the first packs that come to a turn
- *  compute it for the others. */
+/** Values that are computed anew in each turn of a loop, and alike by all packs of a tile: the first packs that come to
+ * a turn compute them for the others. */
 template<typename Real>
 class TTurns
 {

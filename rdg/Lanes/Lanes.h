@@ -1,6 +1,6 @@
-// Lanes: what a compiled shader is written in. One value holds the same variable of N neighbouring threads (pixels);
-// the C++ of a kernel is generated from SPIR-V, so everything here is a plain function with an unambiguous name.
-// Follows the rules of Direct3D 11 (functional specification, sections 3 and 7), not those of C.
+// Lanes: the vocabulary in which a compiled shader is written. One value holds the same variable of N neighbouring
+// threads (pixels); the C++ of a kernel is generated from SPIR-V, so everything here is a plain function with an
+// unambiguous name. Follows the rules of Direct3D 11 (functional specification, sections 3 and 7), not those of C.
 //
 // Vocabulary. Real is float or double, N the lanes (float 4, 8, 16; double 2, 4, 8). "Uniform" values are plain Real,
 // int32_t, uint32_t and bool: the same in all lanes. They convert implicitly to their varying type, and operators mix.

@@ -84,8 +84,8 @@ DRYDOCK_LANES_INLINE bool AnyPack(const TMask<N> (&Packs)[Count])
 	return AnyLane(Any);
 }
 
-/** Where the lanes of an atomic operation find their number; null: outside, nothing happens and 0 comes back. bOwn: no
- * other thread of the machine can reach it meanwhile. */
+/** Addresses of the numbers that the lanes of an atomic operation change; null: outside, nothing happens and 0 is
+ * returned. bOwn: no other thread of the machine can reach it meanwhile. */
 template<typename T, int N>
 struct TAtomicShared
 {
@@ -127,7 +127,7 @@ DRYDOCK_LANES_INLINE TAtomicBytes<T, N> AtomicBytes(const FKernelBuffer& Buffer,
 	return {Buffer, Offset};
 }
 
-/** Of a typed buffer of 32-bit integers. */
+/** Addresses in a typed buffer of 32-bit integers. */
 template<int N>
 struct TAtomicElement
 {
@@ -150,7 +150,7 @@ DRYDOCK_LANES_INLINE TAtomicElement<N> AtomicElement(const FKernelBuffer& Buffer
 	return {Buffer, Index};
 }
 
-/** Of a texture of 32-bit integers; of three coordinates the last one is depth or layer. */
+/** Addresses in a texture of 32-bit integers; the last of three coordinates is depth or layer. */
 template<int N, int Count>
 struct TAtomicTexel
 {
@@ -230,7 +230,7 @@ struct FAtomicCompareExchange
 		return Old == Compare ? Value : Old;
 	}
 };
-/** Of numbers of 32 or 64 bits, with or without a sign. */
+/** Minimum of numbers of 32 or 64 bits, with or without a sign. */
 template<typename TNumber>
 struct FAtomicMin
 {
@@ -256,7 +256,7 @@ struct FAtomicMax
 	}
 };
 
-/** What was there before. */
+/** Returns the previous value. */
 template<typename TOperation, typename T>
 DRYDOCK_LANES_INLINE T ApplyAtomic(T* Place, T Value, T Compare)
 {
@@ -272,7 +272,7 @@ DRYDOCK_LANES_INLINE T ApplyAtomic(T* Place, T Value, T Compare)
 	return Old;
 }
 
-/** What was there before, by lane. */
+/** Returns the previous values, by lane. */
 template<typename TOperation, int N, typename TPlaces, CLanes V>
 DRYDOCK_LANES_INLINE V Atomic(TMask<N> Mask, const TPlaces& Places, V Value, V Compare)
 {
@@ -297,9 +297,9 @@ DRYDOCK_LANES_INLINE V Atomic(TMask<N> Mask, const TPlaces& Places, V Value, V C
 	return Result;
 }
 
-/** What a tile's atomics of one kind do to a buffer that they alone change, and whose old values nobody asks for: any
- * order gives one result. The buffer's first words get it when the tile is done, once and not for each thread, and
- * threads of the machine do not wait for each other's. */
+/** Collects a tile's atomics of one kind on a buffer that they alone change and whose old values nobody reads; any
+ * order gives one result. The buffer's first words get the result when the tile is done, once and not for each thread,
+ * and threads of the machine do not wait for each other's. */
 template<typename TOperation, int N>
 class TTileAtomics
 {

@@ -1,4 +1,4 @@
-// Tells which lane widths this build has code for and this CPU runs.
+// Finds the lane widths that this build has code for and this CPU runs.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -122,7 +122,7 @@ DRYDOCK_LANES_INLINE TLogParts<N> SplitLog(TReal<float, N> X)
 	return {FLanes(__builtin_convertvector(Exponent, TRaw<float, N>)), T, Rest};
 }
 
-/** What a logarithm is outside the positive normal numbers. */
+/** Sets the values of a logarithm outside the positive normal numbers. */
 template<int N>
 DRYDOCK_LANES_INLINE TReal<float, N> FinishLog(TReal<float, N> X, TReal<float, N> Result)
 {

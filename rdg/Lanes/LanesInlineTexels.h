@@ -1,5 +1,5 @@
-// What a kernel does with whole texels by itself: RGBA floats and halves, split into channels, joined and stored. The
-// same bits as by the library; generic vectors, because an intrinsics header costs a third of a shader's compile time.
+// Reads and stores whole texels inside a kernel: RGBA floats and halves, split into channels and joined. The same bits
+// as by the library; generic vectors, because an intrinsics header costs a third of a shader's compile time.
 #pragma once
 
 #include "LanesResources.h"
@@ -172,7 +172,7 @@ DRYDOCK_LANES_INLINE void StoreHalfTexels(uint8_t* P, TRaw<float, N> X)
 }
 #endif
 
-/** Of a target that takes whole texels as they are. */
+/** The kind of whole texels that a target takes as they are. */
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE EWholeTexels GetWholeTexels(const FKernelTarget& Target)
 {

@@ -1,4 +1,4 @@
-// Which mips a sample at a level of detail reads. Source: Direct3D 11.3 functional specification 7.18.
+// Finds the mips that a sample at a level of detail reads. Source: Direct3D 11.3 functional specification 7.18.
 #pragma once
 
 #include "Lanes.h"
@@ -38,7 +38,7 @@ DRYDOCK_LANES_INLINE TMips<Real> SelectMips(Real Level, int32_t NumMips, const F
 	return {First, L - Real(First)};
 }
 
-/** Where a sample at Level reads: CalculateLevelOfDetail and CalculateLevelOfDetailUnclamped. */
+/** The levels that a sample at Level reads: CalculateLevelOfDetail and CalculateLevelOfDetailUnclamped. */
 template<typename Real>
 DRYDOCK_LANES_INLINE TVec<Real, 2> DescribeLevel(
 	const FKernelTexture& Texture, const FKernelSampler& Sampler, Real Level) requires(CUniform<Real>)

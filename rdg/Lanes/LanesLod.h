@@ -12,8 +12,8 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Which of a direction's components is the longest, z before y before x where they are equally long, and how the face
- *  of a cube there turns vectors. A direction that is not a number points at some face. */
+/** Finds the longest component of a direction (z before y before x where they are equally long), and how the cube's
+ * face there turns vectors. A direction that is not a number points at some face. */
 template<typename T>
 struct TCubeFrame
 {
@@ -78,8 +78,8 @@ DRYDOCK_LANES_INLINE T GradientLevelCube(
 	return GradientLevel(Texture, OnFace(DX), OnFace(DY));
 }
 
-/** A level that is not below a sample's own clamp once the sampler has added its bias: what Direct3D and Vulkan do with
- *  the clamp before the sampler's MaxLevel. Of a level that is not a number the clamp. */
+/** A level that is not below a sample's own clamp once the sampler has added its bias: Direct3D and Vulkan apply the
+ * clamp so, before the sampler's MaxLevel. A level that is not a number gives the clamp. */
 template<typename T>
 DRYDOCK_LANES_INLINE T ClampLevel(const FKernelSampler& Sampler, const T& Level, const T& Clamp)
 {

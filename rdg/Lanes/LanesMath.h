@@ -148,8 +148,8 @@ DRYDOCK_LANES_INLINE TReal<Real, N> Sqrt(TReal<Real, N> X)
 	}
 }
 
-/** P + C rounded to odd: an inexact sum that is even moves one bit towards what was lost. Where P is the product of two
- *  floats and C a float, rounding the result to float is rounding the exact sum once (double has 2 * 24 + 5 bits). */
+/** P + C rounded to odd: an inexact sum that is even moves one bit towards what was lost. If P is the product of two
+ * floats and C a float, rounding the result to float is rounding the exact sum once (double has 2 * 24 + 5 bits). */
 template<int H>
 DRYDOCK_LANES_INLINE TRaw<double, H> AddToOdd(TRaw<double, H> P, TRaw<double, H> C)
 {
@@ -163,7 +163,7 @@ DRYDOCK_LANES_INLINE TRaw<double, H> AddToOdd(TRaw<double, H> P, TRaw<double, H>
 	return TRaw<double, H>(FBits(Sum) + Step);
 }
 
-/** X * Y + Z, rounded once. Where the instruction set has no such operation its result is found in double. */
+/** X * Y + Z, rounded once. If the instruction set has no such operation, the result is found in double. */
 template<typename Real, int N>
 DRYDOCK_LANES_INLINE TReal<Real, N> Fused(TReal<Real, N> X, TReal<Real, N> Y, TReal<Real, N> Z)
 {
@@ -336,7 +336,7 @@ DRYDOCK_LANES_INLINE TInt<N> FindMsb(TUint<N> X)
 	V |= V >> 16;
 	return ToInt(BitCount(TUint<N>(V))) - TInt<N>(1);
 }
-/** Of a negative number: the highest clear bit. */
+/** The highest set bit; of a negative number the highest clear bit. */
 template<int N>
 DRYDOCK_LANES_INLINE TInt<N> FindMsb(TInt<N> X)
 {

@@ -124,7 +124,7 @@ __attribute__((noinline)) TReal<float, N> PowOfAny(
 	const FLanes Zero = 0.0f;
 	const FLanes Infinite = InfinityF;
 
-	// What is beyond the bounds is 0 or infinite whatever its low part.
+	// A product beyond the bounds gives 0 or infinity whatever its low part.
 	const FLanes Bounded = Max(Min(Product, FLanes(128.5f)), FLanes(-127.0f));
 	const FLanes Low = Select(Product == Bounded, ProductLow, Zero);
 	const FLanes Whole = RoundTo<Nearest>(Bounded + Low);

@@ -1,5 +1,5 @@
-// Pixels that run by quads: a pack of N lanes is N / 2 columns of two rows, from an even column and row on, so that the
-// four pixels of a quad always lie in the same four lanes. What a lane that does not run would have given counts as no
+// Runs pixels by quads: a pack of N lanes is N / 2 columns of two rows, from an even column and row on, so that the
+// four pixels of a quad always lie in the same four lanes. The value of a lane that does not run counts as no
 // difference, and is read as 0. Included by generated code only. Source: Direct3D 11.3 functional specification 22.5.
 #pragma once
 
@@ -28,7 +28,7 @@ DRYDOCK_LANES_INLINE TInt<N> PackRow()
 /** The column or row that a lane itself is in. */
 constexpr int GOwn = -1;
 
-/** Of each lane's quad the value of the pixel in a column and a row, 0 or 1 or GOwn. */
+/** Gives each lane the value of its quad's pixel in a column and a row, 0 or 1 or GOwn. */
 template<int Column, int Row, typename V, int... Lanes>
 DRYDOCK_LANES_INLINE V TakeLanes(V Value, std::integer_sequence<int, Lanes...>)
 {

@@ -30,7 +30,7 @@ namespace Drydock::Lanes
 
 struct FKernelTap;
 
-/** Where lanes sample, and how. Each pointer is to N values; null: there is none. */
+/** The places where lanes sample, and the options of the sample. Each pointer is to N values; null: there is none. */
 template<typename Real>
 struct TSamplePlace
 {
@@ -54,7 +54,7 @@ struct __attribute__((visibility("default"))) TSampling
 		const Real* V, Real Level, Real* Out, FKernelTap& Tap, int32_t X0, int32_t Y);
 	static void Sample3D(const FKernelTexture& Texture, const FKernelSampler& Sampler, const Real* U, const Real* V,
 		const Real* W, const Real* Levels, bool bUniformLevel, Real* Out);
-	/** Of any shape, with an offset or a comparison, whose answer is the first channel. */
+	/** Samples a texture of any shape, with an offset or a comparison, whose result is the first channel. */
 	static void Sample(const FKernelTexture& Texture, const FKernelSampler& Sampler, const TSamplePlace<Real>& Place,
 		const Real* Levels, bool bUniformLevel, Real* Out);
 	/** The four texels of a bilinear footprint of mip 0, in the order of D3D: (-,+) (+,+) (+,-) (-,-). */

@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** What a pack asked for. */
+/** The operation that a pack asked for. */
 enum class EScalarCall : uint8_t
 {
 	Sample,

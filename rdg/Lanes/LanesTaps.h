@@ -1,7 +1,7 @@
-// Taps: what a kernel remembers, over one tile, of a sample or load whose column depends on the pixel's column alone
-// and whose row on the pixel's row. Where the texels lie is found out by the library at one pack; at other packs that
-// fall alike they are read from there: whole texels of floats or halves by the kernel itself (LanesTapReads.h), all
-// others by a function of the library.
+// Taps: the places that a kernel remembers, over one tile, of a sample or load whose column depends on the pixel's
+// column alone and whose row on the pixel's row. The library finds the texels' places at one pack; other packs with the
+// same layout read from there: whole texels of floats or halves by the kernel itself (LanesTapReads.h), all others by a
+// function of the library.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ enum class EWholeTexels : uint8_t
 	Half   // RGBA16_FLOAT
 };
 
-/** Columns are known for pixels [Begin, Begin + Length), rows for row Row. Where both are, the texels of the pack at X
- *  begin Column + X * Stride bytes into Row0. */
+/** Columns are known for pixels [Begin, Begin + Length), rows for row Row. If both are known, the texels of the pack at
+ * X begin Column + X * Stride bytes into Row0. */
 struct FKernelTap
 {
 	int32_t Begin;

@@ -207,7 +207,7 @@ DRYDOCK_LANES_INLINE TMask<N> Select(TMask<N> C, TMask<N> A, TMask<N> B)
 	return TMask<N>((C.V & A.V) | (~C.V & B.V));
 }
 
-// What kind of thing a type is.
+// The kinds of types.
 template<typename T>
 inline constexpr bool TIsLanes = false;
 template<int N>

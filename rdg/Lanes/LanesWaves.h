@@ -1,5 +1,5 @@
-// Wave operations: what the running lanes of a wave tell each other. A wave is one pack of lanes. Sums and products go
-// from the lowest lane to the highest. A lane that does not run reads as 0. Included by generated code only.
+// Wave operations: the running lanes of a wave exchange values. A wave is one pack of lanes. Sums and products go from
+// the lowest lane to the highest. A lane that does not run reads as 0. Included by generated code only.
 #pragma once
 
 #include "Lanes.h"
@@ -80,7 +80,7 @@ struct FWaveXor
 	}
 };
 
-/** Of the running lanes, in all lanes. */
+/** Reduces the values of the running lanes; the result is in all lanes. */
 template<typename TOperation, int N, CLanes T>
 DRYDOCK_LANES_INLINE T WaveReduce(TMask<N> e, T Value)
 {
@@ -97,7 +97,7 @@ DRYDOCK_LANES_INLINE T WaveReduce(TMask<N> e, T Value)
 	return T(Result);
 }
 
-/** Of the running lanes before each one; of none: Identity. */
+/** Reduces the values of the running lanes before each lane; the first has Identity. */
 template<typename TOperation, int N, CLanes T, CUniform S>
 DRYDOCK_LANES_INLINE T WavePrefix(TMask<N> e, T Value, S Identity)
 {

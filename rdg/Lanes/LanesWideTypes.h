@@ -255,7 +255,7 @@ struct TStored<uint16_t>
 {
 	using Type = uint32_t;
 };
-/** What lanes hold a number of memory's type in. */
+/** The type in which lanes hold a number of memory's type. */
 template<typename T>
 using Stored = typename TStored<T>::Type;
 

@@ -1,4 +1,4 @@
-// How much memory the views that are bound to a shader cover: what a dispatch is taken to read and write.
+// Measures the memory that the views bound to a shader cover: the bytes that a dispatch is assumed to read and write.
 #pragma once
 
 #include "BoundShader.h"

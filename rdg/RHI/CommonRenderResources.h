@@ -48,7 +48,7 @@ public:
 	Drydock::TLazyResource<FRHIVertexDeclaration, &Drydock::GetTileVertexDeclaration> VertexDeclarationRHI;
 };
 
-/** For vertex shaders that need SV_VertexID only. */
+/** The declaration for vertex shaders that need SV_VertexID only. */
 class FEmptyVertexDeclaration : public FRenderResource
 {
 public:
@@ -62,7 +62,7 @@ public:
 	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetScreenRectangleVertexBuffer> VertexBufferRHI;
 };
 
-/** Of FScreenRectangleVertexBuffer, 16 bit: two triangles that are the rectangle, then one that covers it. */
+/** Indices for FScreenRectangleVertexBuffer, 16 bit: two triangles that are the rectangle, then one that covers it. */
 class FScreenRectangleIndexBuffer : public FRenderResource
 {
 public:
@@ -76,7 +76,7 @@ public:
 	Drydock::TLazyResource<FRHIBuffer, &Drydock::GetScreenSpaceVertexBuffer> VertexBufferRHI;
 };
 
-/** Of four corners of which the first and the last are opposite, 16 bit: 0 1 3 and 0 3 2. */
+/** Indices of four corners of which the first and the last are opposite, 16 bit: 0 1 3 and 0 3 2. */
 class FTwoTrianglesIndexBuffer : public FRenderResource
 {
 public:

@@ -7,8 +7,8 @@
 namespace Drydock
 {
 
-/** Of these bytes what lies on whole pages of 2 MB and is not touched yet. A wish: where the system has none, or is
- * told never to give any, nothing changes. */
+/** Asks for huge pages for those of these bytes that fill whole pages of 2 MB and are not touched yet. This is only a
+ * wish: nothing changes if the system has no huge pages, or is set never to give any. */
 DRYDOCK_API void AskForHugePages(void* Memory, size_t Bytes);
 
 } // namespace Drydock

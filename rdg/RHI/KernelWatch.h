@@ -1,5 +1,5 @@
-// What becomes of a shader whose loop does not end: a GPU's driver takes the device away after two seconds, and a CPU
-// would hang for good. Here the program says which shader it is and ends.
+// Ends the program when a shader's loop does not end, with a message that names the shader. A GPU's driver removes the
+// device after two seconds; a CPU would hang for good.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -11,8 +11,9 @@
 namespace Drydock
 {
 
-/** For its scope a kernel runs over tiles. Once no tile has ended for r.Drydock.ShaderSeconds (0: never), one message
- * DD6040 goes to stderr and the process ends with exit code 2: running kernels cannot be stopped in any other way. */
+/** Watches a kernel that runs over tiles, during its scope. Once no tile has ended for r.Drydock.ShaderSeconds (0:
+ * never), one message DD6040 goes to stderr and the process ends with exit code 2: running kernels cannot be stopped in
+ * any other way. */
 class DRYDOCK_API FKernelWatch
 {
 public:

@@ -1,5 +1,5 @@
-// Who runs indices 0..Count-1: oneTBB, or a plain std::thread pool that the thread sanitizer understands. Inner to
-// TileExecutor.
+// Runs indices 0..Count-1 in parallel: by oneTBB, or a plain std::thread pool that the thread sanitizer understands.
+// Inner to TileExecutor.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -22,7 +22,7 @@ struct FTextureWrite
 	FIntRect Rect;
 };
 
-/** How taps are counted. */
+/** The ways of counting taps. */
 enum class ETapCount : uint8_t
 {
 	Static,   // so many in each thread, by the shader's text
@@ -30,7 +30,7 @@ enum class ETapCount : uint8_t
 	Unknown,  // a hand-written kernel ran in place of a shader whose threads differ
 };
 
-/** Who ran a pass's shaders; flags. */
+/** The runners of a pass's shaders; flags. */
 enum class EShaderRun : uint8_t
 {
 	None = 0,
@@ -54,10 +54,10 @@ struct FPassCounters
 	uint64_t Taps = 0;                      // texture samples, gathers and loads
 	ETapCount TapCount = ETapCount::Static; // of Taps; of several dispatches, the last of its values
 	uint64_t BytesRead = 0;                 // of every view bound for reading, each texel once
-	/** Of every texel written; views bound for writing by compute shaders: at most all of them. */
+	/** Bytes of every texel written; of views bound for writing by compute shaders: at most all of them. */
 	uint64_t BytesWritten = 0;
-	/** What draws, clears and copies wrote, each texture's mip once, as the least rect around it. Where a compute
-	 * shader stores is not known. */
+	/** The texels that draws, clears and copies wrote, each texture's mip once, as the smallest rect around them. The
+	 * texels that a compute shader stores are not known. */
 	std::vector<FTextureWrite> Writes;
 	std::vector<FDiagnostic> Remarks; // warnings of draws
 

@@ -49,7 +49,7 @@ enum EPixelFormat : uint8
 	PF_MAX = 93,
 };
 
-/** What a format can be used for. Every stored format can be used for everything. */
+/** The uses of a format. Every stored format can be used for everything. */
 enum class EPixelFormatCapabilities : uint32
 {
 	None = 0,

@@ -1,5 +1,5 @@
-// Resource access states: what a pass does with a resource. Drydock needs no barriers; the states describe the graph.
-// Source: engine RHIAccess.h (5.3 numbering).
+// Lists the access states of resources, by what a pass does with a resource. Drydock needs no barriers; the states
+// describe the graph. Source: engine RHIAccess.h (5.3 numbering).
 #pragma once
 
 #include "CoreMinimal.h"

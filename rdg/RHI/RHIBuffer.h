@@ -54,8 +54,8 @@ public:
 	/** First byte of the contents. */
 	uint8* GetData();
 
-	/** What a shader sees: from FirstByte, NumBytes (0: to the end). Format: that of a typed view; PF_Unknown:
-	 * structured (or raw) with the buffer's stride. */
+	/** The buffer as a shader sees it: from FirstByte, NumBytes (0: to the end). Format: that of a typed view;
+	 * PF_Unknown: structured (or raw) with the buffer's stride. */
 	Drydock::FKernelBuffer GetKernelView(EPixelFormat Format = PF_Unknown, uint32 FirstByte = 0, uint32 NumBytes = 0);
 
 	/** The counter that UAVs with these flags have; of FRHIUnorderedAccessView::GetKernelCounter. */

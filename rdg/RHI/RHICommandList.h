@@ -125,7 +125,7 @@ private:
 	Drydock::FBoundShader BoundCompute;
 };
 
-/** What SetShaderParameters has bound of one shader, for SetBatchedShaderParameters to set. */
+/** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
 class FRHIBatchedShaderParameters
 {
 public:
@@ -162,7 +162,7 @@ public:
 	/** Takes them over, for the dispatches and draws that follow. */
 	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
 	void SetBatchedShaderParameters(FRHIGraphicsShader* Shader, FRHIBatchedShaderParameters& Parameters);
-	/** Of the pipeline state. */
+	/** The vertex shader of the pipeline state. */
 	FRHIVertexShader* GetBoundVertexShader() const { return Vertices.Shader; }
 	FRHIPixelShader* GetBoundPixelShader() const { return PixelShader; }
 
@@ -173,7 +173,7 @@ public:
 	 * Parameters: contents of the uniform buffer DrawRectangleParameters, FDrawRectangleParameters. */
 	void DrawScreenRectangle(const void* Parameters, uint32 NumBytes);
 
-	/** What the engine's vertex shader of screen passes passes on, by location. Without it, location 0 is
+	/** Sets the outputs of the engine's vertex shader of screen passes, by location. Without it, location 0 is
 	 *  (u, v, screen x, screen y): 0..1 over the viewport with v down, and -1..1 with y up. Stays until the next
 	 * pipeline state. */
 	void SetInterpolants(TConstArrayView<Drydock::FKernelInterpolant> InInterpolants);
@@ -181,7 +181,7 @@ public:
 	void SetViewport(float MinX, float MinY, float MinZ, float MaxX, float MaxY, float MaxZ);
 	void SetScissorRect(bool bEnable, uint32 MinX, uint32 MinY, uint32 MaxX, uint32 MaxY);
 	void SetStencilRef(uint32) {}
-	/** Where the vertex declaration's elements of that stream lie: Offset bytes into Buffer. */
+	/** Sets where the vertex declaration's elements of that stream lie: Offset bytes into Buffer. */
 	void SetStreamSource(uint32 StreamIndex, FRHIBuffer* Buffer, uint32 Offset);
 
 	/** Only white, the default, is simulated (checked). */

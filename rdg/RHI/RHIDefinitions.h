@@ -316,7 +316,7 @@ enum class EApplyRendertargetOption : int
 	CheckApply,
 };
 
-/** What a depth-stencil binding does to each plane. */
+/** The access of a depth-stencil binding to each plane. */
 class FExclusiveDepthStencil
 {
 public:

@@ -16,5 +16,5 @@ enum Type : int
 };
 }
 
-/** What GetGlobalShaderMap and permutation checks are asked with. */
+/** The level that GetGlobalShaderMap and permutation checks are asked with. */
 inline constexpr ERHIFeatureLevel::Type GMaxRHIFeatureLevel = ERHIFeatureLevel::SM5;

@@ -51,7 +51,7 @@ public:
 	using FRHIGPUMemoryReadback::FRHIGPUMemoryReadback;
 
 	/** Copies mip 0 of a texture, or the box at SourcePosition (Size 0: the rest of the texture), of one slice. Texels
-	 *  arrive in the texture's own format, whatever r.Drydock.Storage says. */
+	 * arrive in the texture's own format, whatever r.Drydock.Storage is. */
 	void EnqueueCopy(FRHICommandList& RHICmdList, FRHITexture* SourceTexture,
 		const FIntVector& SourcePosition = FIntVector(0, 0, 0), uint32 SourceSlice = 0,
 		const FIntVector& Size = FIntVector(0, 0, 0));

@@ -1,5 +1,5 @@
-// A render pass: which textures are drawn into, and what happens to their old contents. Also the other small argument
-// structs of a command list. Source: engine RHIResources.h, RHIDefinitions.h.
+// Describes a render pass: the textures that are drawn to, and the treatment of their old contents. Also the other
+// small argument structs of a command list. Source: engine RHIResources.h, RHIDefinitions.h.
 #pragma once
 
 #include "RHIDefinitions.h"
@@ -185,7 +185,7 @@ struct FUpdateTextureRegion2D
 	uint32 Height = 0;
 };
 
-/** How ReadSurfaceData converts, and which mip and slice it reads. */
+/** The conversion of ReadSurfaceData, and the mip and slice that it reads. */
 class FReadSurfaceDataFlags
 {
 public:

@@ -49,7 +49,8 @@ public:
 
 	const FSamplerStateInitializerRHI& GetInitializer() const { return Initializer; }
 
-	/** What a shader sees: r.Drydock.SampleBits as it is now. Anisotropic filters become point and trilinear. */
+	/** The sampler as a shader sees it, with r.Drydock.SampleBits as it is now. Anisotropic filters become point and
+	 * trilinear. */
 	Drydock::FKernelSampler GetKernelSampler() const;
 
 private:
@@ -111,7 +112,7 @@ struct FRasterizerStateInitializerRHI
 	bool bEnableLineAA = false;
 };
 
-/** Draws are rectangles that face the camera, whatever it says. */
+/** Draws are rectangles that face the camera, whatever this state is. */
 class DRYDOCK_API FRHIRasterizerState final : public FRHIResource
 {
 public:
@@ -237,7 +238,8 @@ using FVertexDeclarationRHIRef = TRefCountPtr<FRHIVertexDeclaration>;
 
 DRYDOCK_API FVertexDeclarationRHIRef RHICreateVertexDeclaration(const FVertexDeclarationElementList& Elements);
 
-/** Names a shader to a pipeline state. What runs is the Drydock::FBoundShader that SetShaderParameters makes of it. */
+/** Names a shader to a pipeline state. The code that runs is the Drydock::FBoundShader that SetShaderParameters makes
+ * of it. */
 class DRYDOCK_API FRHIShader : public FRHIResource
 {
 public:

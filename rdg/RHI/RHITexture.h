@@ -75,8 +75,8 @@ public:
 	/** Allocates zeroed memory unless there is some. Every access below does. */
 	void EnsureMemory();
 
-	/** What a shader sees. NumMips < 0: all from FirstMip. Slice >= 0: that array layer or depth slice as a 2D texture.
-	 *  Plane 1: the stencil of a depth-stencil texture. Valid while this texture lives. */
+	/** The texture as a shader sees it. NumMips < 0: all from FirstMip. Slice >= 0: that array layer or depth slice as
+	 * a 2D texture. Plane 1: the stencil of a depth-stencil texture. Valid while this texture lives. */
 	Drydock::FKernelTexture GetKernelView(int32 FirstMip = 0, int32 NumMips = -1, int32 Slice = -1, int32 Plane = 0);
 
 	/** Address of a texel. Indices are checked. */

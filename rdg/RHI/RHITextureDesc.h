@@ -7,7 +7,7 @@
 
 #include <cfloat>
 
-/** What a texture is cleared to by ERenderTargetLoadAction::EClear. Default: transparent black. */
+/** The value that ERenderTargetLoadAction::EClear clears a texture to. Default: transparent black. */
 struct FClearValueBinding
 {
 	struct DSVAlue

@@ -98,7 +98,7 @@ public:
 	uint32 GetFirstMip() const { return FirstMip; }
 	uint32 GetNumMips() const { return NumMips; }
 
-	/** What a shader sees through this view. The wrong kind is a check. Valid while the view lives. */
+	/** The resource as a shader sees it through this view. The wrong kind fails a check. Valid while the view lives. */
 	Drydock::FKernelTexture GetKernelTexture() const;
 	Drydock::FKernelBuffer GetKernelBuffer() const;
 

@@ -77,7 +77,7 @@ struct FRDGBufferDesc
 	uint32 NumElements = 1;
 };
 
-/** What an RHI buffer of that description is made with: structured and raw buffers have a stride, typed ones do not. */
+/** The RHI description of a graph buffer: structured and raw buffers have a stride, typed ones do not. */
 inline FRHIBufferDesc Translate(const FRDGBufferDesc& Desc)
 {
 	const bool bHasStride =

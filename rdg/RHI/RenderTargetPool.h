@@ -7,7 +7,7 @@
 
 class FRenderTargetPool;
 
-/** One texture and who holds it. */
+/** One texture and its holders. */
 class DRYDOCK_API FPooledRenderTarget final : public IPooledRenderTarget
 {
 public:

@@ -1,5 +1,5 @@
-// What the renderer shows of itself: textures that outlive a graph, their description and their interface; the module.
-// Source: engine RendererInterface.h.
+// Declares the renderer's public interface: textures that outlive a graph, their description and their interface; the
+// module. Source: engine RendererInterface.h.
 #pragma once
 
 #include "Modules/ModuleInterface.h"
@@ -46,7 +46,7 @@ struct FSceneRenderTargetItem
 	FTextureRHIRef ShaderResourceTexture;
 };
 
-/** How the engine's rectangle is cut into triangles: a rectangle is a rectangle here. */
+/** The ways in which the engine cuts a rectangle into triangles; here it is never cut. */
 enum EDrawRectangleFlags : int
 {
 	EDRF_Default,
@@ -64,7 +64,7 @@ public:
 	virtual uint32 Release() = 0;
 	virtual uint32 GetRefCount() const = 0;
 
-	/** Nobody but the pool holds it. */
+	/** Whether only the pool holds it. */
 	virtual bool IsFree() const = 0;
 
 	/** The pool will hand it out again. */

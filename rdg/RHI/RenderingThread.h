@@ -9,7 +9,7 @@ inline void FlushRenderingCommands() {}
 namespace Drydock
 {
 
-/** What ENQUEUE_RENDER_COMMAND makes: runs the lambda it is given at once. */
+/** The object that ENQUEUE_RENDER_COMMAND makes: runs the lambda it is given at once. */
 struct FRenderCommandRunner
 {
 	template<typename TLambda>

@@ -6,8 +6,8 @@
 namespace Drydock
 {
 
-/** Count texels that lie side by side; of each the first NumChannels (1 to 4), interleaved. Of a NaN in 32 bits the
- * quiet bit may stay as it is. */
+/** Decodes Count texels that lie side by side; the first NumChannels (1 to 4) of each, interleaved. The quiet bit of a
+ * NaN in 32 bits may stay as it is. */
 DRYDOCK_API void DecodeTexelRow(
 	ETexelStorage Storage, const void* Texels, int32_t Count, int32_t NumChannels, float* OutValues);
 

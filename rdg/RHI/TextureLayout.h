@@ -1,4 +1,4 @@
-// Where a texture's texels lie in memory: 64-byte-aligned rows, slices, mips and planes, with 64 readable bytes on
+// Lays out a texture's texels in memory: 64-byte-aligned rows, slices, mips and planes, with 64 readable bytes on
 // either side, so that vector loads near an edge stay inside.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace Drydock
 
 constexpr size_t GTextureAlignment = 64;
 
-/** What r.Drydock.Storage says; textures keep what they were created with. */
+/** The values of r.Drydock.Storage; textures keep the storage they were created with. */
 enum class EStorageOverride : int32
 {
 	Native = 0,
@@ -21,10 +21,10 @@ enum class EStorageOverride : int32
 	Float64 = 2,
 };
 
-/** Of r.Drydock.Storage, unless a FScopedStorageOverride says otherwise. */
+/** The value of r.Drydock.Storage, unless an FScopedStorageOverride replaces it. */
 DRYDOCK_API EStorageOverride GetStorageOverride();
 
-/** What textures are stored as that this thread creates in its scope, whatever r.Drydock.Storage says. They nest. */
+/** Sets the storage of textures that this thread creates in its scope, whatever r.Drydock.Storage is. Scopes nest. */
 class DRYDOCK_API FScopedStorageOverride
 {
 public:
@@ -40,7 +40,7 @@ private:
 /** r.Drydock.StoreOverflow: a finite value too large for half is stored as 65504 instead of infinity. */
 DRYDOCK_API bool IsStoreOverflowSaturated();
 
-/** The storage the format (and, for 8-bit formats, the sRGB flag) stands for. */
+/** The storage of a format (and, for 8-bit formats, of the sRGB flag). */
 DRYDOCK_API ETexelStorage GetNativeTexelStorage(const FRHITextureDesc& Desc);
 
 /** The storage a texture created now would get. Integer and depth-stencil formats are never widened. */

@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** What the processor does with denormal numbers. */
+/** The processor's treatment of denormal numbers. */
 enum class EDenormals : uint8
 {
 	Keep,  // double arithmetic

@@ -1,5 +1,5 @@
-// What a command list keeps of vertices: the pipeline state's vertex shader and layout, the buffers that feed it; and
-// one draw of them.
+// Holds the vertex state of a command list: the pipeline state's vertex shader and layout, the buffers that feed it;
+// and one draw of them.
 #pragma once
 
 #include "BoundShader.h"
@@ -19,7 +19,7 @@ inline constexpr const char* GDrawRectangleParametersName = "DrawRectangleParame
 
 enum EVertexError : int
 {
-	WarnNoRectangle = 2130,    // triangles that are no rectangles: they are not drawn
+	WarnNoRectangle = 2130,    // triangles that are not rectangles: they are not drawn
 	ErrorVertexInput = 2131,   // a vertex shader reads what the draw does not give it
 	ErrorVertexToPixel = 2132, // a pixel shader reads a TEXCOORD that the vertex shader does not write
 };

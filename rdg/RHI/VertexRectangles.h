@@ -1,4 +1,4 @@
-// What a draw's vertices cover: triangles of clip-space positions become rectangles of pixels, their TEXCOORDs
+// Finds what a draw's vertices cover: triangles of clip-space positions become rectangles of pixels, their TEXCOORDs
 // functions of the pixel. Plain geometry, no state. Source of the rules: Direct3D 11 functional specification,
 // "Rasterization" (viewport, snapping to 1/256 pixel, the top-left rule by pixel centres).
 #pragma once
@@ -23,12 +23,12 @@ struct FDrawnRectangle
 struct FDrawnRectangles
 {
 	std::vector<FDrawnRectangle> Rectangles; // in the order of the triangles
-	std::string Fault;                       // why the triangles are no rectangles; empty: they are
+	std::string Fault;                       // why the triangles are not rectangles; empty: they are
 };
 
 /** Vertices: three for each triangle. Viewport: pixels that clip space -1..1 spans, y down; Bounds: pixels that may be
  * drawn. Two triangles that follow each other and make an axis-aligned rectangle are one; a triangle alone has to cover
- * the bounds. What has no area is left out. NumTexCoords: interpolants of each rectangle. */
+ * the bounds. Triangles without area are left out. NumTexCoords: interpolants of each rectangle. */
 DRYDOCK_API FDrawnRectangles FindDrawnRectangles(
 	const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport, const FIntRect& Bounds, int32_t NumTexCoords);
 

@@ -1,6 +1,6 @@
-// Hand-written kernels that stand in for a .usf where measurements say so. They are registered beside the shader class,
-// never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does. A kernel stands in
-// for the text that it was tested against, and for no other.
+// Registers hand-written kernels that replace a .usf where measurements show a gain. They are registered beside the
+// shader class, never instead of it: r.Drydock.NativeKernels 0 runs the .usf, and double precision always does. A
+// kernel replaces only the text that it was tested against.
 #pragma once
 
 #include "BoundShader.h"
@@ -20,7 +20,7 @@ struct FNativeKernel
 	std::string Fingerprint; // of the text that the kernel was tested against (FingerprintShader)
 };
 
-/** How the shader of a draw or dispatch is to run, so far as its text decides. */
+/** The way in which the shader of a draw or dispatch is to run, so far as its text decides. */
 enum class ENativeChoice : uint8_t
 {
 	Shader, // the class has no kernel, or r.Drydock.NativeKernels is 0, or r.Drydock.Precision is double
@@ -38,7 +38,8 @@ DRYDOCK_API ENativeChoice FindNativeKernel(const FShaderRef& Shader);
 /** All of them, by the name of their class. */
 DRYDOCK_API std::vector<FNativeKernel> GetNativeKernels();
 
-/** For its scope kernels stand in for any text: for the tests that hold them against their shaders. One at a time. */
+/** During its scope kernels replace any text, for tests that compare kernels with their shaders. There can be one at a
+ * time. */
 class DRYDOCK_API FScopedNativeKernelsForAnyText
 {
 public:

@@ -1,4 +1,4 @@
-// How a raster pass binds its render targets: the member that RENDER_TARGET_BINDING_SLOTS() adds to a parameter struct.
+// Binds a raster pass's render targets: the member that RENDER_TARGET_BINDING_SLOTS() adds to a parameter struct.
 // Source: engine ShaderParameterMacros.h.
 #pragma once
 

@@ -22,7 +22,7 @@ namespace Drydock
 
 struct FShaderState;
 
-/** What a shader class does at its permutations, taken from its statics. */
+/** The functions of a shader class for its permutations, taken from its statics. */
 struct FShaderTypeFunctions
 {
 	int32 PermutationCount = 1;
@@ -60,7 +60,7 @@ struct FShaderPermutationParameters
 	EShaderPermutationFlags Flags = EShaderPermutationFlags::None;
 };
 
-/** What constructs a shader instance. Older plugins write such constructors by hand and bind in them. */
+/** The arguments that construct a shader instance. Older plugins write such constructors by hand and bind in them. */
 struct FShaderCompiledShaderInitializerType
 {
 	const FShaderType* Type = nullptr;
@@ -89,7 +89,7 @@ public:
 	{
 		return Functions.ShouldCompilePermutation(PermutationId);
 	}
-	/** Of a vertex shader: draws run it. */
+	/** True for a vertex shader that draws run. */
 	bool IsRunByDraws() const { return Frequency == SF_Vertex && !Functions.bScreenRectangle; }
 	/** Null for a class without SHADER_USE_PARAMETER_STRUCT. */
 	const FShaderParametersMetadata* GetRootParametersMetadata() const { return Functions.GetRootParametersMetadata(); }
@@ -142,7 +142,7 @@ public:
 	FRHIPixelShader* GetPixelShader() const;
 	FRHIVertexShader* GetVertexShader() const;
 
-	/** What the shader tier keeps of this permutation: compiled code, reflection, copy plans. */
+	/** The shader tier's state of this permutation: compiled code, reflection, copy plans. */
 	Drydock::FShaderState& GetState() const { return *State; }
 
 protected:

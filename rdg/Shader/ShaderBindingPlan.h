@@ -1,4 +1,4 @@
-// The outcome of matching a shader with a parameter struct: which bytes and which resources go where. Made once,
+// Holds the result of matching a shader with a parameter struct: the destinations of bytes and resources. Made once,
 // followed by every pass. Used by this folder and its tests.
 #pragma once
 
@@ -27,8 +27,7 @@ enum EBindingError
 	MissingUniformBuffer = 6106,
 };
 
-/** Where values come from: the parameter struct itself (source 0) or a uniform buffer that one of its members refers
- * to. */
+/** Source of values: the parameter struct itself (source 0) or a uniform buffer that one of its members refers to. */
 struct FBindingSource
 {
 	const FShaderParametersMetadata* Metadata = nullptr;

@@ -1,5 +1,5 @@
-// From a permutation of a shader class to its compiled code and its reflection: what is asked of the shader compiler,
-// what is kept between passes, and how both are forgotten.
+// Gives the compiled code and the reflection of a shader class's permutation: makes the compiler's request, keeps
+// results between passes, and drops both.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -17,7 +17,7 @@ namespace Drydock
 /** Arithmetic of the shaders from now on, from r.Drydock.Precision and r.Drydock.LaneWidth. */
 DRYDOCK_API FLaneConfig GetShaderLaneConfig();
 
-/** What the compiler is asked for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
+/** The compiler's request for a permutation: file, entry, stage, defines, uniform buffers named by Metadata. */
 DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 	const FShaderRef& Shader, const FShaderParametersMetadata* Metadata);
 
@@ -25,8 +25,8 @@ DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 	const std::string& VirtualPath, const std::string& EntryPoint, EShaderStage Stage);
 
-/** For its scope Function is told what is asked of the compiler, before it is asked; from any thread, one at a time.
- * One of these at a time. */
+/** During its scope Function receives each request before the compiler does; from any thread, one call at a time. There
+ * can be one listener at a time. */
 class DRYDOCK_API FScopedCompileListener
 {
 public:
@@ -40,7 +40,8 @@ public:
  * Throws FError with the compiler's messages. */
 DRYDOCK_API std::shared_ptr<const FCompiledShader> GetCompiledShader(const FShaderRef& Shader, bool bQuads = false);
 
-/** What the shader reads; compiled code is not needed for it. Throws FError with the compiler's messages. */
+/** The parameters that the shader reads; compiled code is not needed for this. Throws FError with the compiler's
+ * messages. */
 DRYDOCK_API std::shared_ptr<const FShaderReflection> GetShaderReflection(const FShaderRef& Shader);
 
 /** Names the text of the shader as it is now (FingerprintShader). Throws FError with the messages about its files. */

@@ -1,4 +1,4 @@
-// Where shader files lie, and what a shader is compiled with. Source: engine ShaderCore.h.
+// Maps the folders of shader files, and holds the settings that a shader is compiled with. Source: engine ShaderCore.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -13,7 +13,7 @@
 DRYDOCK_API void AddShaderSourceDirectoryMapping(
 	const FString& VirtualShaderDirectory, const FString& RealShaderDirectory);
 
-/** What AddShaderSourceDirectoryMapping has mapped, and what drydock maps itself: virtual to real directories. */
+/** The mappings of AddShaderSourceDirectoryMapping, and drydock's own: virtual to real directories. */
 DRYDOCK_API const TMap<FString, FString>& AllShaderSourceDirectoryMappings();
 
 /** Forgets those that were added; drydock's own stay. */

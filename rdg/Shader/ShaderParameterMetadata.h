@@ -1,5 +1,5 @@
-// What the parameter-struct macros record of a struct: its members in the order of declaration, where they lie and what
-// they are, and the flat view of them that HLSL sees. Source: engine ShaderParameterMetadata.h; the flat view is
+// Holds what the parameter-struct macros record of a struct: its members in the order of declaration, their offsets and
+// types, and the flat view of them that HLSL sees. Source: engine ShaderParameterMetadata.h; the flat view is
 // drydock's.
 #pragma once
 
@@ -14,7 +14,7 @@ class FShaderParametersMetadata;
 #define DRYDOCK_JOIN_INNER(A, B) A##B
 #define DRYDOCK_JOIN(A, B) DRYDOCK_JOIN_INNER(A, B)
 
-/** What a member of a parameter struct is. The order is the engine's. */
+/** Kinds of members of a parameter struct. The order is the engine's. */
 enum EUniformBufferBaseType : uint8
 {
 	UBMT_INVALID,

@@ -1,6 +1,6 @@
-// What each C++ type is as a shader parameter: base type, shape and alignment inside a parameter struct, which keeps to
-// HLSL's rule that nothing straddles 16 bytes. A type that HLSL cannot take is refused with a sentence.
-// Source: engine ShaderParameterMacros.h (TShaderParameterTypeInfo).
+// Maps each C++ type to a shader parameter: base type, shape and alignment inside a parameter struct, which keeps to
+// HLSL's rule that nothing straddles 16 bytes. A type that HLSL cannot take is refused with a sentence. Source: engine
+// ShaderParameterMacros.h (TShaderParameterTypeInfo).
 #pragma once
 
 #include "CoreMinimal.h"
@@ -37,7 +37,7 @@ struct TNumericParameterTypeInfo
 		sizeof(T) == static_cast<size_t>(NumRows * NumColumns * 4), "the C++ type must be as large as its HLSL type");
 };
 
-/** What a refused type stands for, so that one mistake gives one message. */
+/** The entry of a refused type, so that one mistake gives one message. */
 template<typename T>
 struct TRefusedParameterTypeInfo
 {

@@ -1,4 +1,4 @@
-// What the shader tier keeps per permutation between passes. Internal to this folder.
+// Holds the shader tier's state per permutation between passes. Internal to this folder.
 #pragma once
 
 #include "ShaderBindingPlan.h"

@@ -1,4 +1,4 @@
-// What types of a shader are called in HLSL, and which members of a parameter struct fit them.
+// Names the types of a shader in HLSL, and finds which members of a parameter struct fit them.
 #pragma once
 
 #include "ShaderParameterMetadata.h"
@@ -25,7 +25,8 @@ const char* GetScalarName(EShaderScalar Scalar);
 
 int GetBits(EShaderScalar Scalar);
 
-/** Of the elements in "StructuredBuffer<int64_t2>"; 0 where they are no plain numbers, or could be of any width. */
+/** Bits of the elements in "StructuredBuffer<int64_t2>"; 0 where they are not plain numbers, or could be of any width.
+ */
 int GetElementBits(const std::string& MacroText);
 
 /** "float4[3]"; 0 elements: no array. */

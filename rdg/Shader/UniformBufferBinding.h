@@ -57,7 +57,7 @@ using FUniformBufferRHIRef = TRefCountPtr<FRHIUniformBuffer>;
 namespace Drydock
 {
 
-/** Makes a uniform buffer with a copy of Contents, which is laid out as Metadata says. */
+/** Makes a uniform buffer with a copy of Contents, which is laid out by Metadata. */
 DRYDOCK_API FUniformBufferRHIRef CreateUniformBuffer(const FShaderParametersMetadata& Metadata, const void* Contents);
 
 } // namespace Drydock
@@ -98,7 +98,7 @@ public:
 	}
 };
 
-/** What a shader's parameter takes: the buffer itself. */
+/** The value that a shader's parameter takes: the buffer itself. */
 template<typename TBufferStruct>
 const TUniformBufferRef<TBufferStruct>& GetShaderBinding(const TUniformBufferRef<TBufferStruct>& Buffer)
 {
@@ -112,7 +112,7 @@ TUniformBufferRef<TBufferStruct> CreateUniformBufferImmediate(const TBufferStruc
 	return TUniformBufferRef<TBufferStruct>::CreateUniformBufferImmediate(Value, Usage, Validation);
 }
 
-/** What SHADER_PARAMETER_STRUCT_REF declares. */
+/** The member type that SHADER_PARAMETER_STRUCT_REF declares. */
 template<typename TBufferStruct>
 class TUniformBufferBinding
 {
@@ -140,7 +140,7 @@ private:
 	TUniformBufferRef<TBufferStruct> Buffer;
 };
 
-/** What SHADER_PARAMETER_RDG_UNIFORM_BUFFER declares. */
+/** The member type that SHADER_PARAMETER_RDG_UNIFORM_BUFFER declares. */
 template<typename TBufferStruct>
 class TRDGUniformBufferBinding
 {

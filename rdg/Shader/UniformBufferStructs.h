@@ -1,4 +1,4 @@
-// Which uniform buffers there are: those that an IMPLEMENT_ macro registered in the code loaded so far.
+// Lists the uniform buffers that an IMPLEMENT_ macro registered in the code loaded so far.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -19,7 +19,7 @@ public:
 	/** 64 hexadecimal digits. The object is used up. */
 	std::string Finish();
 
-	/** Without a length in front. */
+	/** Adds bytes without a length in front. */
 	void AddBytes(const void* Bytes, size_t Count);
 
 private:

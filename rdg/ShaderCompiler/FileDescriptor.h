@@ -44,7 +44,7 @@ DRYDOCK_API int WriteAll(const FFileDescriptor& File, const std::string& Bytes);
 /** Writes all Bytes and closes. 0, or the error of the first step that failed. */
 DRYDOCK_API int WriteAndClose(FFileDescriptor File, const std::string& Bytes);
 
-/** What can be read from here to the end; OutError is 0, or why that is not all. */
+/** Reads from here to the end; OutError is 0, or the reason why the result is incomplete. */
 DRYDOCK_API std::string ReadToEnd(const FFileDescriptor& File, int& OutError);
 
 /** "No space left on device", whatever thread asks. */

@@ -1,4 +1,4 @@
-// Where the library's own files lie, in a build tree and in an installed one.
+// Finds the library's own files, in a build tree and in an installed one.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -36,14 +36,14 @@ std::string PrecompileKernelHeaders(const FLaneConfig& Lanes);
 std::string CompileKernel(const std::string& Cpp, const FTemporaryFolder& Folder, const FLaneConfig& Lanes,
 	const FShaderCompileRequest& Request, const FFileDescriptor& Headers);
 
-/** Compiles Cpp for a debugger and loads it, for good. Folder has to stay as long as somebody may debug it. Throws
+/** Compiles Cpp for a debugger and loads it, for good. Folder has to stay as long as the kernel may be debugged. Throws
  * FError as CompileKernel does, and DD6034 where it cannot be loaded. */
 FDebugKernelFunction CompileDebugKernel(
 	const std::string& Cpp, const FTemporaryFolder& Folder, const FShaderCompileRequest& Request);
 
-/** Loads a kernel and checks that it is what was asked for; null when it is not, and OutFault says why. It stays
- * loaded.
- */
+/** Loads a kernel and checks that it is what was asked for; null when it is not; OutFault is the reason. The kernel
+ * stays loaded.
+ * */
 FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& Lanes, std::string& OutFault);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// What the CPU tier has no stage or hardware for (ray tracing, geometry, tessellation, meshes, multisampling): one
-// message with a way round, in place of what the front end makes of it.
+// Recognises features that the CPU tier has no stage or hardware for (ray tracing, geometry, tessellation, meshes,
+// multisampling): one message with a way round replaces the front end's messages.
 #pragma once
 
 #include "ShaderCompileRequest.h"
@@ -11,7 +11,7 @@
 namespace Drydock
 {
 
-/** Where Name stands in Line as a word of its own; npos where it does not. */
+/** Offset of Name in Line as a word of its own; npos where Line does not have it. */
 size_t FindWord(const std::string& Line, const std::string& Name);
 
 /** "ray tracing ('TraceRay') does not run on the CPU tier; WAY ROUND" of a line that has such a word; else empty. */

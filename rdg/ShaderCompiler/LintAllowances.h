@@ -1,4 +1,4 @@
-// What a shader says that the portability lint may leave out: "// drydock-lint: allow RULE: WHY".
+// Reads which findings a shader lets the portability lint leave out: "// drydock-lint: allow RULE: WHY".
 #pragma once
 
 #include "ShaderCompileRequest.h"
@@ -20,7 +20,8 @@ public:
 	{
 	}
 
-	/** On the line of a finding, or the one above it; line 0 is the whole shader: anywhere in the file. */
+	/** Whether the line of a finding, or the one above it, allows the rule. Line 0 is the whole shader: an allowance
+	 * anywhere in the file counts. */
 	bool Allows(const std::string& Rule, const std::string& File, int Line);
 
 private:

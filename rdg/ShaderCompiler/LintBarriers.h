@@ -1,4 +1,4 @@
-// Barriers that threads of a group may miss, found by the flow around them.
+// Finds barriers that threads of a group may miss, by the flow around them.
 #pragma once
 
 #include "SpirvUniformity.h"

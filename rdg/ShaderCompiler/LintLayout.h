@@ -1,5 +1,5 @@
-// Where the members of a structured buffer's element lie by the rules of GLSL's std430, for the portability lint.
-// Source: OpenGL 4.6 specification, 7.6.2.2.
+// Computes the offsets of the members of a structured buffer's element by the rules of GLSL's std430, for the
+// portability lint. Source: OpenGL 4.6 specification, 7.6.2.2.
 #pragma once
 
 #include "SpirvModule.h"

@@ -1,5 +1,5 @@
-// What the portability lint knows: rules that a public document states, each with its address. The one source of
-// `drydock lint --list`, of docs/lint.md and of the findings' words.
+// Lists the rules of the portability lint: rules that a public document states, each with its address. The one source
+// of `drydock lint --list`, of docs/lint.md and of the findings' words.
 #pragma once
 
 #include "Diagnostics.h"
@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** Where a shader may have to run; bits of FLintRule::Platforms. */
+/** Platforms where a shader may have to run; bits of FLintRule::Platforms. */
 enum ELintPlatform : uint8_t
 {
 	LintD3D11 = 1,  // Direct3D 11, feature level 11.0, shader model 5
@@ -38,7 +38,7 @@ struct FLintRule
 	const char* Source; // address of the document that states it
 };
 
-/** By their ids. */
+/** All rules, sorted by their ids. */
 DRYDOCK_API const std::vector<FLintRule>& GetLintRules();
 
 } // namespace Drydock

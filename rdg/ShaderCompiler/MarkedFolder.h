@@ -1,5 +1,5 @@
-// A folder for what is written aside. A mark in it proves whose it is, so that a later process can remove what a killed
-// one has left behind, and nothing else.
+// Makes folders for files that are written aside. A mark in the folder proves its owner, so that a later process can
+// remove what a killed one has left behind, and nothing else.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -15,7 +15,7 @@ namespace Drydock
 
 /** A new folder that only the user can look into. It goes with its scope, and when a signal ends the process; after any
  * other end RemoveAbandonedFolders removes it. The file .drydock.mark in it holds the numbers of the folder and of
- * itself, which no copy has, and lists what may be removed. A lock on the mark tells that the process lives. Other
+ * itself, which no copy has, and lists what may be removed. A lock on the mark shows that the process lives. Other
  * things in the folder stay. A process that is killed between two steps may leave the folder empty. */
 class DRYDOCK_API FMarkedFolder
 {

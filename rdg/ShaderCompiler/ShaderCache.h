@@ -1,5 +1,5 @@
-// Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID tells
-// which compiler made it. Entries are written aside and renamed, the .json last, under a lock that other processes
+// Compiled shaders on disk. An entry is KEY.ID.so and KEY.ID.json (reflection, hash of the shared object); ID names the
+// compiler that made it. Entries are written aside and renamed, the .json last, under a lock that other processes
 // respect. They are code that is run: folders and entries that someone else could have written are not used
 // (TrustedFolder.h). Two places: a read-only one that came with the installation, then the user's; in place of one that
 // cannot be used or written, a third for this run alone.
@@ -20,7 +20,7 @@ namespace Drydock
 class FTrustedFolder;
 struct FFileToWrite;
 
-/** What the user's folder is to the process. */
+/** How the process uses the user's folder. */
 enum class EShaderCacheUse
 {
 	Usual,    // what is wrong with it is a warning
@@ -39,13 +39,14 @@ struct FCachedShader
 class DRYDOCK_API FShaderCache
 {
 public:
-	/** Of the whole process; Usual at first. */
+	/** Sets the use for the whole process; Usual at first. */
 	static void SetUse(EShaderCacheUse Use);
 
 	/** The user's folder (DRYDOCK_CACHE_DIR, else XDG_CACHE_HOME/drydock, else ~/.cache/drydock) and
-	 * libexec/drydock/shader-cache of the installation. What is wrong with them is said once: DD6050, not to be
-	 * trusted, and DD6051, not to be written. Where the user's is required, that is thrown as an FError (exit code 3).
-	 */
+	 * libexec/drydock/shader-cache of the installation. Each fault of theirs is reported once: DD6050, not to be
+	 * trusted, and DD6051, not to be written. If the user's folder is required, its fault is thrown as an FError (exit
+	 * code 3).
+	 * */
 	static FShaderCache Open();
 
 	/** CompilerId empty: there is no compiler, any entry for Key will do. */
@@ -61,9 +62,9 @@ public:
 	/** Runs Work while no other process works on the same key, unless one does for too long (ShaderCacheLock.h). */
 	void WithLock(const std::string& Key, const std::function<void()>& Work) const;
 
-	/** What the compiler has made of headers, for it alone; open for reading, none where it is not there. The user's
-	 * folder keeps it; where that is Required, which is to hold shaders and nothing else, it lives as long as the run.
-	 */
+	/** A precompiled header, for the compiler alone; open for reading, none where it does not exist. The user's folder
+	 * keeps it; where that is Required, which is to hold shaders and nothing else, it lives as long as the run.
+	 * */
 	FFileDescriptor OpenPrecompiled(const std::string& Name) const;
 	bool TakesPrecompiled() const;
 	void StorePrecompiled(const std::string& Name, const std::string& Bytes) const;

@@ -6,8 +6,9 @@
 namespace Drydock
 {
 
-/** Held for its scope. Who waits is told who holds it after 5 s, and goes on without it after DRYDOCK_LOCK_SECONDS
- * (30): the other may hang, and what both compile is the same. So does who cannot lock in this folder at all. */
+/** Held for its scope. A waiting process reports the lock's holder after 5 s, and goes on without the lock after
+ * DRYDOCK_LOCK_SECONDS (30): the holder may hang, and both compile the same. A process that cannot lock in this folder
+ * at all goes on without it too. */
 class DRYDOCK_API FShaderCacheLock
 {
 public:

@@ -1,4 +1,4 @@
-// What is asked of the shader tier, and what it hands back: every stage takes these, the facade (ShaderCompiler.h) runs
+// Defines the shader tier's requests and results: every stage takes these types, and the facade (ShaderCompiler.h) runs
 // the stages.
 #pragma once
 

@@ -1,5 +1,5 @@
-// From a .usf entry point to a function that runs over tiles: flatten includes, glslang (HLSL to SPIR-V), reflection,
-// SPIR-V to C++ over lanes, the system compiler, a content-hashed cache. A vertex shader stays SPIR-V.
+// Compiles a .usf entry point to a function that runs over tiles: flatten includes, glslang (HLSL to SPIR-V),
+// reflection, SPIR-V to C++ over lanes, the system compiler, a content-hashed cache. A vertex shader stays SPIR-V.
 #pragma once
 
 #include "DrydockAPI.h"

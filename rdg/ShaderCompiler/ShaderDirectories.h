@@ -1,4 +1,4 @@
-// Where the files behind virtual shader paths lie on disk.
+// Finds the files behind virtual shader paths on disk.
 #pragma once
 
 #include "DrydockAPI.h"

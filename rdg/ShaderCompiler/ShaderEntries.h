@@ -28,14 +28,14 @@ struct FShaderEntry
  * SPIR-V the module's. Request: its file and defines. */
 DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
 
-/** The text of a file for each of its entry points: without the others, of which nothing is said elsewhere. */
+/** The text of a file for each of its entry points, without the other entry points and what only they use. */
 class DRYDOCK_API FEntryTexts
 {
 public:
 	/** Flattens the file, of any of its entry points; throws as FlattenShader does. */
 	explicit FEntryTexts(const FShaderCompileRequest& Request);
 
-	/** Empty: no such entry point can be told from the others. */
+	/** Empty: no such entry point can be distinguished from the others. */
 	std::string GetText(const std::string& Entry) const;
 
 private:

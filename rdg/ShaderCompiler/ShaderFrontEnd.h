@@ -1,7 +1,7 @@
-// HLSL to SPIR-V by glslang, in a process that is kept (FrontEndProcess.h): a crash or an endless loop of its parser
-// costs one error message. Where that program is not there, glslangValidator (Debian package glslang-tools) is run for
-// each shader. DRYDOCK_GLSLANG names a program to run so in its place, DRYDOCK_GLSLANG_SECONDS the time for a shader,
-// 60 by default.
+// Compiles HLSL to SPIR-V by glslang, in a process that is kept (FrontEndProcess.h): a crash or an endless loop of its
+// parser costs one error message. If that program does not exist, glslangValidator (Debian package glslang-tools) is
+// run for each shader. DRYDOCK_GLSLANG names a program to run so in its place, DRYDOCK_GLSLANG_SECONDS the time for a
+// shader, 60 by default.
 #pragma once
 
 #include "Diagnostics.h"

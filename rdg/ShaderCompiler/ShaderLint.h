@@ -1,5 +1,5 @@
-// The portability lint: what of a shader fails on platforms that drydock is not, from its SPIR-V, and from its text
-// where the front end lost it.
+// The portability lint: finds shader code that fails on other platforms than drydock, from its SPIR-V, and from its
+// text where the front end lost it.
 #pragma once
 
 #include "LintRules.h"
@@ -25,9 +25,9 @@ struct FLintFinding
 	}
 };
 
-/** Runs the front end. By file, line and rule, each once; without what the shader allows (LintAllowances.h). Platforms:
- * bits of ELintPlatform that are asked for. Throws FError as CompileToSpirv does. Of what drydock cannot run only text
- * and head are looked at: Refused, where it is not null, is then told why. */
+/** Runs the front end. Findings are sorted by file, line and rule, each once; without what the shader allows
+ * (LintAllowances.h). Platforms: bits of ELintPlatform that are asked for. Throws FError as CompileToSpirv does. If
+ * drydock cannot run the shader, only text and head are checked: Refused, if not null, then receives the reason. */
 DRYDOCK_API std::vector<FLintFinding> LintShader(
 	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused = nullptr);
 

@@ -51,8 +51,8 @@ struct FShaderMacro
 class DRYDOCK_API FShaderMacros
 {
 public:
-	/** What stands behind #define: "NAME body" or "NAME(A, B) body". Returns what is wrong with it, empty when nothing
-	 * is. A later definition of a name replaces the earlier one. */
+	/** Defines a macro from the text behind #define: "NAME body" or "NAME(A, B) body". Returns the fault, or an empty
+	 * text. A later definition of a name replaces the earlier one. */
 	std::string Define(const std::string& Text);
 	void Undefine(const std::string& Name) { Macros.erase(Name); }
 	const FShaderMacro* Find(const std::string& Name) const
@@ -62,17 +62,17 @@ public:
 	}
 
 	/** Replaces every macro in Tokens. Problem becomes the first thing that is wrong (number of arguments, endless
-	 * growth), and is left alone when nothing is. Unless bComplete says that no text follows, bNeedsMore becomes true
-	 * when a call may go on in that text: the result is then of no use. */
+	 * growth), and is left alone when nothing is. Unless bComplete, which means that no text follows, bNeedsMore
+	 * becomes true when a call may go on in that text: the result is then of no use. */
 	FShaderTokens Expand(const FShaderTokens& Tokens, bool bComplete, std::string& Problem, bool& bNeedsMore) const;
 
-	/** What one call of Expand, and what all calls together may work on: a line whose call goes on in the next is
-	 * expanded once more with each line, and a shader has many lines. */
+	/** Limits on the tokens that one call of Expand, and all calls together, may work on: a line whose call goes on in
+	 * the next is expanded once more with each line, and a shader has many lines. */
 	static constexpr size_t MaxLineTokens = 1u << 20;
 	static constexpr size_t MaxTokens = 16u << 20;
 
-	/** What all calls have worked on: tokens that were read, put in for a macro or looked through for the end of a
-	 * call; a long one counts for several. */
+	/** The work of all calls so far: tokens that were read, put in for a macro or looked through for the end of a call;
+	 * a long token counts for several. */
 	size_t GetNumTokens() const { return NumTokens; }
 	bool IsSpent() const { return NumTokens > MaxTokens; }
 

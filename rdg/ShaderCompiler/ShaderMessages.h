@@ -1,5 +1,4 @@
-// What a message about a shader shows besides its sentence: the line of the source with a caret, and where the file
-// lies on disk.
+// Adds to a message about a shader the line of the source with a caret, and the file's place on disk.
 #pragma once
 
 #include "Diagnostics.h"

@@ -36,7 +36,7 @@ public:
 
 	void Define(const std::string& Name, const std::string& Value);
 
-	/** Appends what a file comes to. Every file once, whether it asks for it or not. */
+	/** Appends the preprocessed text of a file. Every file is appended once, with or without #pragma once. */
 	void Append(const std::string& Path, const std::string& FileText);
 
 	/** One text without directives but `#line N "/Virtual/path"` at each seam and #pragma pack_matrix; without

@@ -16,7 +16,7 @@ namespace Drydock
  * these numbers; of an assertion its condition. Lines stay where they are. */
 DRYDOCK_API std::string RewritePrints(const std::string& Text, bool bKeep, std::vector<std::string>& Strings);
 
-/** Of the functions that the calls are of; empty where there are no calls. In one line. */
+/** Declarations of the functions that the calls need, in one line; empty where there are no calls. */
 DRYDOCK_API std::string DeclarePrints(const std::string& Rewritten);
 
 } // namespace Drydock

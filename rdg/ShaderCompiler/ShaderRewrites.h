@@ -1,4 +1,4 @@
-// What the front end's HLSL lacks, rewritten in text without macros and comments: members of uniform buffers, enums,
+// Rewrites what the front end's HLSL lacks, in text without macros and comments: members of uniform buffers, enums,
 // positions of loads. Lines stay where they are.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A shader as one text, ready for the front end: what the readers of sources and of SPIR-V files make.
+// Holds a shader as one text, ready for the front end: the result of the readers of sources and of SPIR-V files.
 #pragma once
 
 #include <string>

@@ -16,7 +16,8 @@ DRYDOCK_API bool IsSpirvFile(const std::string& VirtualPath);
 
 /** The module in Bytes with the entry that is asked for and without its other ones, as the Text of a source: the
  * module, which GetSpirvWords gives back, and declarations of the buffers of bytes, as reflection looks for them in
- * HLSL. Throws FError: DD6004 for what is no module, DD6011 where it has no such entry, with those that it has. */
+ * HLSL. Throws FError: DD6004 if Bytes are not a module, DD6011 if the module has no such entry, with a list of its
+ * entries. */
 DRYDOCK_API FShaderSource ReadSpirvFile(const std::string& Bytes, const FShaderCompileRequest& Request);
 
 /** The entries of the module in Bytes for a stage that drydock has. Request: its path, for messages. Throws FError

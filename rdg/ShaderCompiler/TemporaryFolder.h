@@ -1,4 +1,5 @@
-// A folder for the files of one compilation, gone with its scope, and with the next run where the process was killed.
+// Makes a folder for the files of one compilation. It is removed with its scope, or by the next run if the process was
+// killed.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -15,7 +16,7 @@ DRYDOCK_API std::string MakeTemporaryName();
 /** Removes the folders of such names in Parent that dead processes have left. */
 DRYDOCK_API void RemoveTemporaryFolders(const std::string& Parent);
 
-/** Where temporary files go: TMPDIR, TMP, TEMP or TEMPDIR, the first that is set; else /tmp. */
+/** The folder of temporary files: TMPDIR, TMP, TEMP or TEMPDIR, the first that is set; else /tmp. */
 DRYDOCK_API std::string GetTemporaryParent();
 
 /** A folder drydock-PROCESS-RANDOM in GetTemporaryParent() that only the user can look into. */
@@ -25,14 +26,14 @@ public:
 	/** Throws FError (DD5004, exit code 3) with the folder that does not take it. */
 	FTemporaryFolder();
 
-	/** The path of a file or folder that somebody is to make here; no other name in it is removed. */
+	/** The path of a file or folder that the caller is to make here; no other name in it is removed. */
 	std::string Reserve(const std::string& Name) const;
 
 	/** A new file, for the user alone. Returns its path; throws FError (DD5004, exit code 3) unless all is written. */
 	std::string WriteFile(const std::string& Name, const std::string& Bytes) const;
 
-	/** After something else failed that should have written here. Throws FError (DD5004, exit code 3) when nothing can
-	 * be written, as on a full disk. */
+	/** Called after a program failed that should have written here. Throws FError (DD5004, exit code 3) when nothing
+	 * can be written, as on a full disk. */
 	void CheckSpace() const;
 
 private:

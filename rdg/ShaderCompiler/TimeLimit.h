@@ -1,4 +1,4 @@
-// How long something may take: a number of seconds that an environment variable can change.
+// Reads a time limit: a number of seconds that an environment variable can change.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace Drydock
 {
 
-/** Seconds of the environment variable, up to a day; the default where it is not set or is no number above 0. */
+/** Seconds of the environment variable, up to a day; the default if it is not set or not a number above 0. */
 inline int GetTimeLimitSeconds(const char* Variable, int Default)
 {
 	constexpr long Day = 24 * 60 * 60;

@@ -1,4 +1,4 @@
-// Tells a compiler that found a fault in its input from one that the machine kept from its work.
+// Distinguishes a compiler that found a fault in its input from one that the machine kept from its work.
 #pragma once
 
 #include "ChildProcess.h"
@@ -7,9 +7,9 @@
 namespace Drydock
 {
 
-/** What the machine did to a tool that failed, as the end of a sentence: "was killed by signal 9 (out of memory?)",
+/** The machine's fault behind a tool's failure, as the end of a sentence: "was killed by signal 9 (out of memory?)",
  * "could not be started: Resource temporarily unavailable", "ended with: No space left on device". Empty: nothing, it
- * failed by itself. A compiler's driver tells of the signal that killed the program it called; its messages are read as
+ * failed by itself. A compiler's driver reports the signal that killed the program it called; its messages are read as
  * English. */
 DRYDOCK_API std::string FindToolFault(const FChildResult& Child);
 

@@ -28,7 +28,7 @@ struct FTrustedFile
 	FFileDescriptor File; // none where it is not trusted
 };
 
-/** What is written together: all of it, or nothing. Name: "costs.json", or one folder deep, "ab/entry.so". */
+/** Files that are written together: all of them, or none. Name: "costs.json", or one folder deep, "ab/entry.so". */
 struct FFileToWrite
 {
 	std::string Name;
@@ -47,7 +47,7 @@ public:
 
 	const std::string& GetPath() const { return Path; }
 	ETrust GetTrust() const { return Folder.Trust; }
-	/** Of the folder: see FTrustedFile. */
+	/** Fault of the folder: see FTrustedFile. */
 	const std::string& GetFault() const { return Folder.Fault; }
 	/** 0, or why nothing can be written to it. */
 	int FindWriteError() const;

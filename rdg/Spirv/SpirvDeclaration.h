@@ -1,4 +1,4 @@
-// What a shader's text says of its declarations and SPIR-V does not: types that have the form of others, lines.
+// Reads from a shader's text what SPIR-V does not hold of its declarations: types that have the form of others, lines.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct FTextLine
 	int Line = 0; // 0: not found
 };
 
-/** Where Text has "Name : Semantic", by its #line directives; semantics in any letters. */
+/** Finds the line of "Name : Semantic" in Text, by its #line directives; semantics in upper or lower case. */
 FTextLine FindSemantic(const std::string& Text, const std::string& Name, const std::string& Semantic);
 
 } // namespace Drydock

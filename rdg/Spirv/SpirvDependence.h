@@ -1,6 +1,6 @@
-// What a value depends on: the pixel's column, its row, or anything else that may differ between pixels. A texture
-// coordinate that depends on the column alone is the same in all rows of a tile, however the shader computes it: what
-// was found out about it in one row holds in the others.
+// Finds what a value depends on: the pixel's column, its row, or anything else that may differ between pixels. A
+// texture coordinate that depends on the column alone is the same in all rows of a tile, however the shader computes
+// it: facts found in one row hold in the others.
 #pragma once
 
 #include "SpirvUniformity.h"
@@ -22,7 +22,7 @@ public:
 	 *  are interpolated are taken for a full-screen triangle's: x and z depend on the column, y and w on the row. */
 	uint8_t Get(uint32_t Value, uint32_t Scalar) const;
 	uint8_t GetAll(uint32_t Value) const;
-	/** How often the block runs for a pixel that comes to the loops around it is the same for all pixels. */
+	/** Whether the block runs equally often for all pixels that reach the loops around it. */
 	bool IsSteady(uint32_t Label) const { return !UnsteadyBlocks.count(Label); }
 
 private:

@@ -35,7 +35,7 @@ using ESpirvType::Float;
 using ESpirvType::Int;
 using ESpirvType::Uint;
 
-/** Where text stands: around the loop over a tile's rows, around the loop over a row's packs, in it. */
+/** Place of emitted text: around the loop over a tile's rows, around the loop over a row's packs, or inside it. */
 enum class EEmitLevel : uint8_t
 {
 	Tile,
@@ -53,7 +53,7 @@ struct FEmitScalar
 	EEmitLevel Level = EEmitLevel::Tile; // of what cannot stand further out, beside its operands
 };
 
-/** Which of the values that an edge hands over. */
+/** The selection among the values that an edge hands over. */
 enum class EPhiCopies : uint8_t
 {
 	All,
@@ -66,7 +66,7 @@ struct FSpirvImageOperands;
 class FSpirvEmitter
 {
 public:
-	/** What the first pass finds out for the second. */
+	/** Findings of the first pass that the second pass needs. */
 	struct FFindings
 	{
 		std::set<std::string> Hoisted;     // locals used outside of their C++ block
@@ -79,7 +79,7 @@ public:
 	/** All of Run, from its declarations on. */
 	std::string EmitRun();
 	const std::string& GetTables() const { return TableText; }
-	/** What stands at the end of Run. */
+	/** The text at the end of Run. */
 	const std::string& GetEnd() const { return EndText; }
 	const FFindings& GetFindings() const { return Findings; }
 
@@ -93,7 +93,7 @@ private:
 	void EmitIf(const FStructNode& Node);
 	void EmitSwitch(const FStructNode& Node);
 	void EmitLoop(const FStructNode& Node);
-	/** Counts a turn of the loop, and says which loop it is where it took too many. bPacks: in a loop over packs. */
+	/** Counts a turn of the loop, and reports which loop took too many turns. bPacks: in a loop over packs. */
 	void EmitTurn(const FStructNode& Node, bool bPacks);
 	bool IsCounted(const FStructNode& Loop) const { return !Turns.Find(Loop.Label); }
 	void EmitEdge(const FStructNode& Node);
@@ -106,7 +106,7 @@ private:
 	void CloseScope(const char* Tail = "}");
 	void EmitBlock(const FStructNode& Node);
 	bool Breaks(const FStructNode& Node) const;
-	/** In a long kernel: what is emitted from here on is in a function of its own, or is not. */
+	/** Opens or closes a function of its own for the text emitted from here on, in a long kernel. */
 	void SetPart(bool bOpen);
 
 	// Groups
@@ -134,7 +134,7 @@ private:
 	std::vector<FEmitScalar> LoadQuadInput(const FSpirvVariable& Variable);
 	std::string QuadLevelOf(const FSpirvInstruction& I, const std::string& Function);
 	bool ChoosesLevel(const FSpirvInstruction& I) const { return Module.bQuads && ChoosesSpirvLevel(I.Op); }
-	/** Mask of the lanes that run and are no helpers. */
+	/** Mask of the lanes that run and are not helpers. */
 	const char* GetStoreMask() const { return Module.bQuads ? "(e & Live)" : "e"; }
 
 	std::string AtomicPlace(const FSpirvInstruction& I);
@@ -196,7 +196,7 @@ private:
 	bool IsLoopedCopy(const FSpirvPlace& Place) const;
 	bool CanReadInPlace(const FSpirvInstruction& Load, uint32_t Variable) const;
 	void EmitLoopedLoad(const FSpirvInstruction& I, const FSpirvPlace& Place);
-	/** False when the value is no array. */
+	/** False when the value is not an array. */
 	bool EmitLoopedStore(const FSpirvInstruction& I);
 	const FArrayValue* FindArrayValue(uint32_t Value);
 	std::set<ESpirvType> GetKinds(uint32_t Type) const;
@@ -211,7 +211,7 @@ private:
 	FEmitScalar Literal(ESpirvType Kind, uint64_t Bits) const;
 	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
 	std::string TypeName(ESpirvType Kind, bool bVarying) const;
-	/** Of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */
+	/** Level of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */
 	EEmitLevel GetLevel() const { return bMovable ? OperandLevel : EEmitLevel::Pack; }
 	bool IsMovable(const FSpirvInstruction& I) const;
 	void Line(const std::string& Text);

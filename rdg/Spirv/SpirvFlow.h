@@ -1,5 +1,5 @@
-// Which scalars of a result come from which scalars of the operands: what every analysis that follows values through a
-// shader shares.
+// Finds which scalars of a result come from which scalars of the operands, for every analysis that follows values
+// through a shader.
 #pragma once
 
 #include "SpirvModule.h"

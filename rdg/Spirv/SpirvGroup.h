@@ -1,5 +1,5 @@
-// All threads of one group of a compute shader, or of a quad of pixels, run one after the other from one place where
-// they wait for each other to the next.
+// Runs all threads of one group of a compute shader, or of a quad of pixels, one after the other, from one waiting
+// place to the next.
 #pragma once
 
 #include "SpirvThread.h"
@@ -19,7 +19,7 @@ class DRYDOCK_API TSpirvGroup
 {
 public:
 	using FWord = TSpirvWord<Real>;
-	/** What a thread saw of others' work, to run it again alone: TSpirvThread::SetLog. */
+	/** The values that a thread read from others, to run it again alone: TSpirvThread::SetLog. */
 	using FLog = std::vector<FWord>;
 
 	/** Program and Order must outlive it. */
@@ -34,20 +34,20 @@ public:
 	/** Pixels of a quad that are not drawn, from now on: bit i is the thread of index i. */
 	void SetHelpers(uint32_t InHelpers) { Helpers = InHelpers; }
 
-	/** Told of every group that runs from now on; null: nobody is. */
+	/** Sets the finder that sees every group that runs from now on; null: none. */
 	void SetRaceFinder(FRaceFinder* InRaces);
 
 	uint32_t GetNumThreads() const { return uint32_t(Threads.size()); }
 	/** As it was when the group had run. */
 	const TSpirvThread<Real>& GetThread(uint32_t Index) const { return *Threads.at(Index); }
-	/** To be observed from now on. */
+	/** The thread, to be observed from now on. */
 	TSpirvThread<Real>& GetThread(uint32_t Index) { return *Threads.at(Index); }
 
 private:
 	void RunAll(const FKernelArgs& Args, const int32_t (&GroupId)[3], uint64_t MaxSteps);
 	/** Threads of [First, Last) go on until each has ended or waits at a barrier. */
 	void RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps);
-	/** Of those in [First, Last) that wait: the ones that are furthest behind, and at the same place. */
+	/** Those of the waiting threads in [First, Last) that are furthest behind, and at the same place. */
 	std::vector<uint32_t> FindLast(uint32_t First, uint32_t Last, bool bAtBarriers) const;
 
 	const FSpirvProgram& Program;

@@ -1,5 +1,5 @@
-// What the threads of a compute shader do together, and what that asks of whoever runs them: whole groups at once,
-// waves in step, groups one after the other.
+// Finds what the threads of a compute shader do together, and so how they must be run: whole groups at once, waves in
+// step, groups one after the other.
 #pragma once
 
 #include "SpirvStructure.h"
@@ -18,11 +18,12 @@ struct FSpirvGroupUse
 	 * barrier to the next. */
 	bool bGroups = false;
 	/** Threads of a wave go from one such operation to the next together, those of the lowest index first: wave
-	 * operations; atomics whose result is used, or of several kinds on one groupshared variable, so that who comes
-	 * first does not depend on the machine. */
+	 * operations; atomics whose result is used, or of several kinds on one groupshared variable, so that the order does
+	 * not depend on the machine. */
 	bool bWaves = false;
-	/** Groups run one after the other, by z, y and x: atomics on buffers and textures of which somebody sees the order.
-	 */
+	/** Groups run one after the other, by z, y and x: needed for atomics on buffers and textures whose order is
+	 * visible.
+	 * */
 	bool bInOrder = false;
 	/** Variables whose memory only gets atomics of one kind that give one result in any order: the kind. */
 	std::map<uint32_t, uint16_t> Commuting;

@@ -1,5 +1,5 @@
-// What an instruction on a texture is told besides its coordinates, and where each of that stands among its operands.
-// Source: SPIR-V specification, section 3.14 (image operands).
+// Finds the operands of an instruction on a texture besides its coordinates. Source: SPIR-V specification, section 3.14
+// (image operands).
 #pragma once
 
 #include "SpirvModule.h"
@@ -41,7 +41,7 @@ constexpr bool IsSpirvSample(uint16_t Op)
 		   IsSpirvComparison(Op);
 }
 
-/** Of samples, gathers, fetches, reads and writes. */
+/** The image operands of samples, gathers, fetches, reads and writes. */
 inline FSpirvImageOperands GetImageOperands(const FSpirvInstruction& I)
 {
 	using namespace Spirv;

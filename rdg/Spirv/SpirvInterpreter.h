@@ -12,7 +12,7 @@
 namespace Drydock
 {
 
-/** What one thread wrote to its render targets. */
+/** The values that one thread wrote to its render targets. */
 struct FInterpretedPixel
 {
 	bool bDiscarded = false;

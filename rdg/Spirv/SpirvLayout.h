@@ -1,4 +1,4 @@
-// Gives offsets and strides to what lies in buffers, by Direct3D's rules.
+// Gives buffer members their offsets and strides, by Direct3D's rules.
 #pragma once
 
 #include "SpirvModule.h"

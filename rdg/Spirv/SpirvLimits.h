@@ -1,4 +1,4 @@
-// How large a shader may be. What goes beyond is refused (DD6021) with shader, entry, line and limit, before a compiler
+// Limits the size of shaders. A larger shader is refused (DD6021) with shader, entry, line and limit, before a compiler
 // is kept busy for minutes or a lane needs more stack than its thread has. All counts are those of the entry point
 // after the front end has inlined every call.
 #pragma once

@@ -18,7 +18,7 @@
 namespace Drydock
 {
 
-/** The file of functions that the source pass adds: what they do stands on the line of who calls them. */
+/** The file of functions that the source pass adds: their work counts as that of the calling line. */
 inline constexpr const char* GSpirvFileOfCallers = "/Drydock/Callers";
 
 /** A module that cannot be used: garbage, or something the CPU tier does not do. File and Line are the .usf's where
@@ -267,7 +267,7 @@ constexpr bool IsSpirvAtomic(uint16_t Op)
 	return Op >= Spirv::OpAtomicLoad && Op <= Spirv::OpAtomicXor;
 }
 
-/** What the threads of a wave tell each other. Operands: scope first. */
+/** Operations by which the threads of a wave exchange values. Operands: scope first. */
 constexpr bool IsSpirvWave(uint16_t Op)
 {
 	return Op >= Spirv::OpGroupNonUniformElect && Op <= Spirv::OpGroupNonUniformQuadSwap;
@@ -279,13 +279,13 @@ constexpr bool ChoosesSpirvLevel(uint16_t Op)
 	return Op == Spirv::OpImageSampleImplicitLod || Op == Spirv::OpImageSampleDrefImplicitLod;
 }
 
-/** What a pixel asks the other three of its quad for, and no thread elsewhere. */
+/** Operations by which a pixel asks the other three of its quad, and no other thread. */
 constexpr bool IsSpirvDerivative(uint16_t Op)
 {
 	return (Op >= Spirv::OpDPdx && Op <= Spirv::OpFwidthCoarse) || Op == Spirv::OpImageQueryLod;
 }
 
-/** A wave operation whose first operand behind the scope says: of all threads, or of those before each one. */
+/** A wave operation whose first operand behind the scope selects all threads, or those before each one. */
 constexpr bool HasGroupOperation(uint16_t Op)
 {
 	return Op == Spirv::OpGroupNonUniformBallotBitCount ||

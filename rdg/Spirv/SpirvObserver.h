@@ -1,4 +1,4 @@
-// What somebody sees who watches the interpreter: steps, calls, and accesses that go wrong.
+// Declares the events that an observer of the interpreter receives: steps, calls, and accesses that go wrong.
 #pragma once
 
 #include "SpirvProgram.h"
@@ -57,7 +57,7 @@ class DRYDOCK_API ISpirvObserver
 public:
 	virtual ~ISpirvObserver();
 
-	/** After a step that has a hook; of one that ends a block: before control moves. */
+	/** Called after a step that has a hook; for a step that ends a block, before control moves. */
 	virtual void OnStep(const FSpirvThreadView&, const FSpirvStep&) {}
 	/** A function of the module begins, its arguments are there; and has ended. */
 	virtual void OnCall(const FSpirvThreadView&, const FSpirvStep&) {}

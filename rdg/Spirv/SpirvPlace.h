@@ -1,5 +1,5 @@
-// Where a pointer of a shader points: a variable, a constant offset, and what only run time knows. Constant buffers and
-// structured buffers count in bytes, everything else in flattened scalars.
+// Describes where a pointer of a shader points: a variable, a constant offset, and the part known only at run time.
+// Constant buffers and structured buffers count in bytes, everything else in flattened scalars.
 #pragma once
 
 #include "SpirvModule.h"

@@ -1,5 +1,5 @@
-// A module laid out for the interpreter: where in one row of words each constant, result and variable lies, and what
-// each instruction reads. Functions do not recurse in HLSL, so each has its one place, too.
+// Lays a module out for the interpreter: the place of each constant, result and variable in one row of words, and the
+// operands of each instruction. Functions do not recurse in HLSL, so each has its one place, too.
 #pragma once
 
 #include "SpirvGroups.h"

@@ -1,6 +1,6 @@
-// Pixel shaders that run by quads: two columns and two rows of pixels, from an even column and row on, whose four
-// threads come to a derivative together. Where the shader's pixels lie outside of what is drawn, or are discarded,
-// their threads run on as helpers: they store and count nothing.
+// Runs pixel shaders by quads: two columns and two rows of pixels, from an even column and row on, whose four threads
+// reach a derivative together. Threads of pixels that are not drawn, or are discarded, run on as helpers: they store
+// and count nothing.
 #pragma once
 
 #include "SpirvModule.h"

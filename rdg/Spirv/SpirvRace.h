@@ -1,5 +1,5 @@
-// Data races of the threads of a group: two of them touch one number of groupshared memory, one of them writes, and no
-// barrier is between.
+// Finds data races of the threads of a group: two threads access one number of groupshared memory, one of them writes,
+// and no barrier is between them.
 #pragma once
 
 #include "SpirvProgram.h"
@@ -38,9 +38,9 @@ public:
 	void Begin(size_t NumWords);
 	/** All threads of it have come to a barrier. */
 	void PassBarrier() { ++Epoch; }
-	/** Value: what is written. Two threads that write the same to one place are no race. */
+	/** Value: the value written. Two threads that write the same value to one place are not a race. */
 	void Touch(uint32_t Thread, uint32_t Word, const FSpirvStep& Step, ESharedAccess Access, uint64_t Value);
-	/** Of the group: each pair of places once for a thread. */
+	/** Races of the group: each pair of places once for a thread. */
 	const std::vector<FSpirvRace>& GetRaces() const { return Races; }
 
 private:

@@ -1,4 +1,5 @@
-// What drydock does not run, said in HLSL's words: the function or type as the author wrote it, and what to do instead.
+// Describes what drydock does not run, in HLSL's words: the function or type as the author wrote it, and what to do
+// instead.
 #pragma once
 
 #include "SpirvModule.h"

@@ -79,8 +79,8 @@ struct FSpirvStructure
 	std::map<uint32_t, std::vector<uint32_t>> Loops; // block -> headers of the loops around it, outermost first
 };
 
-/** Of the function that begins with that block, by its index. Throws FSpirvError when the control flow is not
- * structured. */
+/** Builds the structure of the function that begins with that block, by its index. Throws FSpirvError when the control
+ * flow is not structured. */
 DRYDOCK_API FSpirvStructure BuildSpirvStructure(const FSpirvModule& Module, uint32_t FirstBlock = 0);
 
 } // namespace Drydock

@@ -18,7 +18,7 @@
 namespace Drydock
 {
 
-/** Where a resource of the module lies among the kernel's arguments. */
+/** Place of each of the module's resources among the kernel's arguments. */
 struct FSpirvSlotTable
 {
 	std::vector<int32_t> Slots; // by the module's variable; -1: nowhere
@@ -52,24 +52,25 @@ public:
 		Lane = InGroupIndex % InWaveSize;
 		WaveSize = InWaveSize;
 	}
-	/** Told of every access to groupshared memory; null: nobody is. */
+	/** Sets the finder that sees every access to groupshared memory; null: none. */
 	void SetRaceFinder(FRaceFinder* InRaces) { Races = InRaces; }
-	/** A pixel that is not drawn, run for its quad: stores and counts nothing. Of the run that has been started. */
+	/** The pixel is not drawn, but run for its quad: it stores and counts nothing. Applies to the run that has been
+	 * started. */
 	void SetHelper(bool bInHelper) { bHelper = bInHelper; }
-	/** Groupshared memory, of as many words as the program says; null: the thread's own. */
+	/** Sets groupshared memory of the program's number of words; null: the thread's own. */
 	void SetGroupshared(FWord* Memory) { Groupshared = Memory; }
 	/** Turns of each loop around the place where the thread waits, by Order; and where it is. */
 	void SetOrder(const FSpirvOrder* InOrder);
 	std::vector<uint32_t> GetWhereInOrder() const;
-	/** What other threads have made of this one's loads and atomics is written into Log, or taken from there: a thread
-	 * of a group that has run can be run again alone. Null: neither. */
+	/** Log takes the results of this thread's loads and atomics, which other threads influence, or replays them: a
+	 * thread of a group that has run can be run again alone. Null: neither. */
 	void SetLog(std::vector<FWord>* InLog, bool bInReplay);
 
-	/** For who decides himself what comes next: the state before the first instruction, and one instruction that
+	/** For callers that choose the next instruction: the state before the first instruction, and one instruction that
 	 * neither calls a function of the module nor branches. False: it ended the thread. */
 	void Begin(const FKernelArgs& InArgs, const int32_t (&InPosition)[3], const FVertexInput* InVertex);
 	bool ExecuteStep(const FSpirvStep& Step);
-	/** Control comes to the header of a loop that may not end: throws where that is one turn too many. */
+	/** Counts a turn when control reaches the header of a loop that may not end; throws if it is one turn too many. */
 	void CountTurn(uint32_t To, uint32_t FromBlock);
 	FWord* GetWords() { return Words.data(); }
 
@@ -190,7 +191,7 @@ private:
 	{
 		return Program.Module.Variables.at(Bits(Step, Operand, Index));
 	}
-	/** What the compiled shader does not have, because nothing comes of it, is empty. */
+	/** The view of a resource. It is empty if the compiled shader left the resource out as unused. */
 	template<typename T>
 	const T& ViewOf(const T* Views, uint32_t Variable) const
 	{

@@ -1,4 +1,4 @@
-// How often a loop runs, where its text says so. For the count of taps, and for who has to end loops that do not end.
+// Finds how often a loop runs, where its text determines it. Used to count taps, and to end loops that do not end.
 #pragma once
 
 #include "SpirvModule.h"
@@ -8,7 +8,7 @@
 namespace Drydock
 {
 
-/** Of the loops of a module, which must outlive it. */
+/** Finds the turns of a module's loops; the module must outlive it. */
 class FSpirvTurns
 {
 public:

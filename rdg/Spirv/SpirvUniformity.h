@@ -1,6 +1,6 @@
-// Which values are the same in all lanes that are active together? What is uniform is computed once, as a plain scalar,
-// and branches on it are plain branches. A fixpoint over single scalars: y of a pixel is uniform (lanes are neighbours
-// in a row), x is not.
+// Finds the values that are the same in all lanes that are active together. A uniform value is computed once, as a
+// plain scalar, and branches on it are plain branches. A fixpoint over single scalars: y of a pixel is uniform (lanes
+// are neighbours in a row), x is not.
 #pragma once
 
 #include "SpirvStructure.h"

@@ -1,4 +1,4 @@
-// What a kernel reads and writes, copied to a device and back.
+// Copies the resources that a kernel reads and writes to a device and back.
 #pragma once
 
 #include "VulkanShader.h"
@@ -33,7 +33,7 @@ public:
 	void Upload(VkCommandBuffer Commands) const;
 	void Download(VkCommandBuffer Commands) const;
 
-	/** What came back, into the textures and buffers that the shader writes. */
+	/** Copies the device's results into the textures and buffers that the shader writes. */
 	void WriteBack() const;
 
 private:

@@ -12,7 +12,7 @@ class DRYDOCK_API FVulkanBackend final : public IDispatchBackend
 {
 public:
 	/** The device that Vulkan's loader finds, a graphics card first; VK_DRIVER_FILES names the driver's manifest where
-	 * there are several. Null: there is none, and OutFault says why. */
+	 * there are several. Null: there is none; OutFault is the reason. */
 	static std::unique_ptr<FVulkanBackend> Open(std::string& OutFault);
 
 	~FVulkanBackend() override;
@@ -20,7 +20,7 @@ public:
 	/** Shaders in double precision are refused; all else as IDispatchBackend. Vertex shaders do not come here. */
 	std::string Run(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** The same of a shader that no class stands for. Args have the slots of Kernel; the pipeline is kept as long as
+	/** The same for a shader without a shader class. Args have the slots of Kernel; the pipeline is kept as long as
 	 * Kernel is the same object. Throws FError with the front end's messages. */
 	std::string Run(const FShaderCompileRequest& Request, const std::shared_ptr<const FShaderReflection>& Kernel,
 		const FKernelArgs& Args, const FKernelTile& Whole);

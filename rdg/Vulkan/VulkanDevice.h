@@ -1,4 +1,4 @@
-// One Vulkan device: found through the loader, which VK_DRIVER_FILES tells where its drivers are.
+// Opens one Vulkan device, found through the loader, whose drivers VK_DRIVER_FILES may name.
 #pragma once
 
 #include "VulkanFunctions.h"
@@ -12,7 +12,7 @@ namespace Drydock
 class FVulkanDevice
 {
 public:
-	/** The first graphics card, else the first device of any kind. Null: there is none, and OutFault says why. */
+	/** The first graphics card, else the first device of any kind. Null: there is none; OutFault is the reason. */
 	static std::shared_ptr<FVulkanDevice> Open(std::string& OutFault);
 
 	FVulkanDevice() = default;

@@ -45,7 +45,7 @@ struct FVulkanFunctions
 #undef DRYDOCK_VULKAN_DECLARE
 };
 
-/** What the driver there is cannot do: a sentence's rest, "it has no ...". */
+/** The driver lacks a feature: a sentence's rest, "it has no ...". */
 class FVulkanError : public std::runtime_error
 {
 public:

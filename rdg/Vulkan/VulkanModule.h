@@ -19,7 +19,7 @@ struct FVulkanModule
 DRYDOCK_API FVulkanModule MakeVulkanModule(const std::vector<uint32_t>& Words, const FSpirvModule& Module);
 
 /** A vertex shader that passes its inputs on: location 0 is a float4 that becomes the position, location n + 1 becomes
- * TEXCOORDn with as many components as Components[n] says, 0 for none. Entry point "main". */
+ * TEXCOORDn with Components[n] components, 0 for none. Entry point "main". */
 DRYDOCK_API std::vector<uint32_t> MakePassingVertexShader(const std::vector<uint32_t>& Components);
 
 /** Components of each TEXCOORD that a pixel shader reads, by n; an array counts for all its elements. */

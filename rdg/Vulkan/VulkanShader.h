@@ -23,7 +23,7 @@ struct FVulkanBinding
 class FVulkanShader
 {
 public:
-	/** Of its render targets, whatever those of the pass are: what comes back is blended and stored by drydock. */
+	/** Format of the shader's render targets, whatever those of the pass are: drydock blends and stores the results. */
 	static constexpr VkFormat TargetFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 	/** Kernel: the reflection whose slots the arguments have. Throws FVulkanError for what the device cannot run,

@@ -1,5 +1,5 @@
-// Texels on their way to a driver and back: as 32-bit channels, so that what is compared is the shader's arithmetic.
-// Reading and rounding a format stays drydock's own.
+// Converts texels for a driver and back: as 32-bit channels, so that only the shader's arithmetic is compared. Reading
+// and rounding a format stays drydock's own.
 #pragma once
 
 #include "SpirvModule.h"
@@ -20,13 +20,14 @@ struct FVulkanTexels
 	size_t GetBytes() const { return size_t(Channels) * (bHalf ? 2 : 4); }
 };
 
-/** For a texture or typed buffer that is read. bFiltered: a sampler interpolates it, for which not every driver takes
- * 32-bit floats. Throws FVulkanError where the device lacks the format. */
+/** Chooses texels for a texture or typed buffer that is read. bFiltered: a sampler interpolates it, for which not every
+ * driver takes 32-bit floats. Throws FVulkanError where the device lacks the format. */
 FVulkanTexels ChooseSampledTexels(
 	const FVulkanDevice& Device, ETexelStorage Storage, ESpirvType Scalar, bool bFiltered);
 
-/** For one that is written too: as the shader declares it (Format of the image type). Throws FVulkanError where it
- * declares another format than one of 32-bit channels, or the storage is of another kind. */
+/** The texels of a texture or typed buffer that is written too: as the shader declares it (Format of the image type).
+ * Throws FVulkanError where the shader declares another format than one of 32-bit channels, or the storage is of
+ * another kind. */
 FVulkanTexels GetStorageTexels(uint32_t SpirvFormat, ETexelStorage Storage);
 
 /** Count texels side by side, Out of Texels.GetBytes() each. */

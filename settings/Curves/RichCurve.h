@@ -1,6 +1,6 @@
-// A curve through keys. Source: engine Curves/RichCurve.h: constant beyond its ends, each key's mode from it to the
-// next one, cubic as a Bezier piece by the tangents. What it lacks of the engine's: weighted tangents, other
-// extrapolations.
+// Defines a curve through keys. Source: engine Curves/RichCurve.h: constant beyond its ends, each key's mode from it to
+// the next one, cubic as a Bezier piece by the tangents. Features of the engine that are missing: weighted tangents,
+// other extrapolations.
 #pragma once
 
 #include "CoreMinimal.h"

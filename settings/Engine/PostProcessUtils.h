@@ -7,10 +7,10 @@
 struct FPostProcessUtils
 {
 	/** Blends ThisFrom towards OtherTo in place: every field that either of them overrides, so that a value may blend
-	 * from its default or back to it; it is overridden afterwards. Numbers, colours and vectors blend linearly. What
-	 * has nothing in between (enums, bools, whole numbers, textures, ambient cubemap and LUT too) takes OtherTo's value
-	 * above one half; so does a focal distance where one side is 0, switched off (drydock). Blendables stay as they
-	 * are. BlendFactor is clamped to 0..1, 1 assigns exactly; NaN does nothing, nor do values that are not finite.
+	 * from its default or back to it; it is overridden afterwards. Numbers, colours and vectors blend linearly. A type
+	 * without values in between (enums, bools, whole numbers, textures, ambient cubemap and LUT too) takes OtherTo's
+	 * value above one half; so does a focal distance where one side is 0, switched off (drydock). Blendables stay as
+	 * they are. BlendFactor is clamped to 0..1, 1 assigns exactly; NaN does nothing, nor do values that are not finite.
 	 * Returns whether any field was blended. */
 	DRYDOCK_API static bool BlendPostProcessSettings(
 		FPostProcessSettings& ThisFrom, const FPostProcessSettings& OtherTo, float BlendFactor);

@@ -1,9 +1,10 @@
-// What takes part in a blend as a post-process volume. Source: engine Interfaces/Interface_PostProcessVolume.h.
+// Declares the interface of objects that take part in a blend as a post-process volume. Source: engine
+// Interfaces/Interface_PostProcessVolume.h.
 #pragma once
 
 #include "PostProcessSettings.h"
 
-/** What blending needs to know of a volume. */
+/** The properties of a volume that blending needs. */
 struct FPostProcessVolumeProperties
 {
 	const FPostProcessSettings* Settings = nullptr; // the volume's

@@ -14,6 +14,6 @@ public:
 	FColor LightColor = FColor(255, 255, 255);
 
 	FLinearColor GetLightColor() const { return FLinearColor(LightColor); }
-	/** Where the light goes. */
+	/** The direction in which the light travels. */
 	FVector GetDirection() const { return GetComponentRotation().Vector(); }
 };

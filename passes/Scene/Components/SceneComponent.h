@@ -3,7 +3,7 @@
 
 #include "Components/ActorComponent.h"
 
-/** How a component may move. Nothing moves by itself here. */
+/** The ways a component may move. Nothing moves by itself here. */
 namespace EComponentMobility
 {
 enum Type : int

@@ -16,6 +16,6 @@ class DRYDOCK_API IBlendableInterface
 public:
 	virtual ~IBlendableInterface();
 
-	/** Once for each time that settings name it, after they were blended. Weight: 0..1. */
+	/** Called once for each time that settings name the object, after they were blended. Weight: 0..1. */
 	virtual void OverrideBlendableSettings(FSceneView& View, float Weight) const;
 };

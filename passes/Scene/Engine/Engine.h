@@ -1,4 +1,4 @@
-// GEngine: what code from outside reaches through it. Source: engine file Engine/Engine.h.
+// Declares GEngine and the objects that code from outside reaches through it. Source: engine file Engine/Engine.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -8,7 +8,7 @@
 
 class FSceneViewExtensions;
 
-/** What GetWorldFromContextObject does where an object has no world. */
+/** The action of GetWorldFromContextObject when an object has no world. */
 enum class EGetWorldErrorMode
 {
 	ReturnNull,

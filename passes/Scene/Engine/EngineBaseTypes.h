@@ -52,7 +52,7 @@ enum ETickingGroup : int
 	TG_MAX
 };
 
-/** How an actor or component wishes to be ticked. Nothing ticks here: a frame is one moment. */
+/** The tick options of an actor or component. Nothing ticks here: a frame is one moment. */
 struct FTickFunction
 {
 	ETickingGroup TickGroup = TG_PrePhysics;

@@ -69,7 +69,7 @@ public:
 
 	/** OverrideFormat, or what RenderTargetFormat means. */
 	EPixelFormat GetFormat() const;
-	/** Of RenderTargetFormat. */
+	/** Initializes with the format of RenderTargetFormat. */
 	void InitAutoFormat(int32 InSizeX, int32 InSizeY);
 	void InitCustomFormat(int32 InSizeX, int32 InSizeY, EPixelFormat InFormat, bool bInForceLinearGamma);
 	void ResizeTarget(int32 InSizeX, int32 InSizeY) { InitAutoFormat(InSizeX, InSizeY); }

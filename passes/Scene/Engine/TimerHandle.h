@@ -1,4 +1,5 @@
-// What names a timer: none is ever set here, since nothing ticks. Source: engine file Engine/TimerHandle.h.
+// Defines the handle of a timer: none is ever set here, because nothing ticks. Source: engine file
+// Engine/TimerHandle.h.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -118,7 +118,7 @@ private:
 /** The world. Always valid. */
 extern DRYDOCK_API UWorld* GWorld;
 
-/** What a world is to the engine: there is one, of the game. */
+/** The engine's context of a world: there is one, of the game. */
 struct FWorldContext
 {
 	EWorldType::Type WorldType = EWorldType::Game;

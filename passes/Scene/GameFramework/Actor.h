@@ -22,12 +22,12 @@ public:
 
 	virtual void BeginPlay() {}
 	virtual void EndPlay(const EEndPlayReason::Type) {}
-	/** Of Destroy, after EndPlay. */
+	/** Called by Destroy, after EndPlay. */
 	virtual void Destroyed() {}
 	virtual void OnConstruction(const FTransform&) {}
 	virtual void PostInitializeComponents() {}
 	virtual void PostRegisterAllComponents() {}
-	/** Once before a frame, where PrimaryActorTick can; of 0 seconds, as the world stands still. */
+	/** Called once before a frame, if PrimaryActorTick allows it; with 0 seconds, because the world stands still. */
 	virtual void Tick(float) {}
 	virtual bool ShouldTickIfViewportsOnly() const { return false; }
 

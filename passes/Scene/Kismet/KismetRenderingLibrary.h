@@ -1,4 +1,5 @@
-// What blueprints do with render targets, as code calls it. Source: engine file Kismet/KismetRenderingLibrary.h.
+// Declares the functions that blueprints call on render targets, for calls from code. Source: engine file
+// Kismet/KismetRenderingLibrary.h.
 #pragma once
 
 #include "Engine/TextureRenderTarget2D.h"
@@ -18,7 +19,7 @@ public:
 	/** Every texel to that colour; nothing for null or a target without pixels. */
 	static void ClearRenderTarget2D(UObject* WorldContextObject, UTextureRenderTarget2D* TextureRenderTarget,
 		FLinearColor ClearColor = FLinearColor(0.0f, 0.0f, 0.0f, 1.0f));
-	/** Draws nothing, and says so: no material is compiled here. */
+	/** Draws nothing, and reports this: no material is compiled here. */
 	static void DrawMaterialToRenderTarget(
 		UObject* WorldContextObject, UTextureRenderTarget2D* TextureRenderTarget, UMaterialInterface* Material);
 };

@@ -1,4 +1,4 @@
-// What post-processing starts from, as PrePostProcessPass_RenderThread sees it. Source: engine file
+// Holds the inputs of post-processing, as PrePostProcessPass_RenderThread sees it. Source: engine file
 // PostProcess/PostProcessInputs.h.
 #pragma once
 

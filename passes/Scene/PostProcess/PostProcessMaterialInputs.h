@@ -1,4 +1,4 @@
-// What a post-processing callback is given. Source: engine file PostProcess/PostProcessMaterialInputs.h.
+// Declares the inputs of a post-processing callback. Source: engine file PostProcess/PostProcessMaterialInputs.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -15,9 +15,9 @@ enum class EPostProcessMaterialInput : uint32
 	SeparateTranslucency = 1,
 	/** Bloom, where the tonemapper is replaced. */
 	CombinedBloom = 2,
-	/** After the tonemapper: what it read. */
+	/** The tonemapper's input; for callbacks after it. */
 	PreTonemapHDRColor = 2,
-	/** After the tonemapper: what it wrote. */
+	/** The tonemapper's output; for callbacks after it. */
 	PostTonemapHDRColor = 3,
 	Velocity = 4
 };
@@ -60,7 +60,7 @@ struct FPostProcessMaterialInputs
 	/** Valid for the last callback of the last pass: it must draw into it, over its whole ViewRect, and return it. */
 	FScreenPassRenderTarget OverrideOutput;
 
-	/** By EPostProcessMaterialInput; as code up to engine 5.3 reads them. */
+	/** The textures, by EPostProcessMaterialInput; as code up to engine 5.3 reads them. */
 	TStaticArray<FScreenPassTexture, kPostProcessMaterialInputCountMax> Textures;
 
 	/** Format of a new output; PF_Unknown: the input's. */
@@ -110,6 +110,7 @@ struct FPostProcessMaterialInputs
 	}
 
 private:
-	/** Of the textures, as code from engine 5.4 on reads them; null where a texture was set without a graph builder. */
+	/** Views of the textures, as code from engine 5.4 on reads them; null where a texture was set without a graph
+	 * builder. */
 	TStaticArray<FRDGTextureSRVRef, kPostProcessMaterialInputCountMax> Views = {};
 };

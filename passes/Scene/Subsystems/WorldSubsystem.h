@@ -18,7 +18,7 @@ public:
 	bool ShouldCreateSubsystem(UObject* Outer) const override;
 	UWorld* GetWorld() const override;
 	UWorld& GetWorldRef() const { return *GetWorld(); }
-	/** After all of the world's subsystems have been initialised. */
+	/** Called after all of the world's subsystems have been initialised. */
 	virtual void PostInitialize() {}
 	virtual void OnWorldBeginPlay(UWorld&) {}
 

@@ -24,7 +24,7 @@ public:
 	using ElementType = TPair<KeyType, ValueType>;
 
 	TMap() = default;
-	/** Of two pairs with one key the later wins. */
+	/** If two pairs have one key, the later pair wins. */
 	TMap(std::initializer_list<ElementType> Pairs)
 	{
 		for (const ElementType& Pair : Pairs)

@@ -1,6 +1,6 @@
-// What TMap and TSet are made of: elements in a dense array in the order they were added, found by a chained hash over
-// their indices. Iteration never depends on hash values, so results do not either. Adding and finding take constant
-// time; removing keeps the order and takes linear time.
+// Implements TMap and TSet: elements in a dense array in the order they were added, found by a chained hash over their
+// indices. Iteration never depends on hash values, so results do not either. Adding and finding take constant time;
+// removing keeps the order and takes linear time.
 #pragma once
 
 #include "Containers/Array.h"

@@ -33,7 +33,7 @@ public:
 	const T* begin() const { return Hash.GetData(); }
 	const T* end() const { return Hash.GetData() + Num(); }
 
-	/** Adds unless it is there already, which *bOutAlreadyThere tells. */
+	/** Adds the element unless it is there already; *bOutAlreadyThere reports that. */
 	void Add(T Element, bool* bOutAlreadyThere = nullptr)
 	{
 		const bool bThere = Contains(Element);
@@ -102,7 +102,7 @@ public:
 		Result.Hash.RemoveAll([&Other](const T& Element) { return !Other.Contains(Element); });
 		return Result;
 	}
-	/** What is here and not in Other. */
+	/** The elements that are here and not in Other. */
 	TSet Difference(const TSet& Other) const
 	{
 		TSet Result = *this;

@@ -10,7 +10,7 @@ class TDelegate;
 template<typename Signature, typename UserPolicy = void>
 class TMulticastDelegate;
 
-/** What TDelegate and TMulticastDelegate share: the ways to make a bound delegate. */
+/** The part that TDelegate and TMulticastDelegate share: the ways to make a bound delegate. */
 template<typename DelegateType, typename ReturnType, typename... ArgumentTypes>
 class TDelegateFactory
 {
@@ -33,7 +33,7 @@ public:
 	{
 		return Make(nullptr, nullptr, BindFunctor(Function, std::move(Payload)...));
 	}
-	/** Bound as long as somebody owns the object. */
+	/** Bound as long as the object has an owner. */
 	template<typename ObjectType, ESPMode Mode, typename MethodClass, typename MethodType, typename... PayloadTypes>
 	static DelegateType CreateSP(
 		const TSharedRef<ObjectType, Mode>& Object, MethodType MethodClass::*Method, PayloadTypes... Payload)

@@ -1,4 +1,4 @@
-// What a delegate holds: the bound call, the object it belongs to and whether that still lives. Source: engine
+// Defines what a delegate holds: the bound call, the object it belongs to and whether that still lives. Source: engine
 // Delegates/IDelegateInstance.h.
 #pragma once
 

@@ -32,7 +32,7 @@ public:
 			*Reference = NewValue;
 		}
 	}
-	/** From now on the value lives there; code may write to it without telling. */
+	/** Makes InReference the place of the value; code may write to it without notice. */
 	void SetReference(T* InReference) { Reference = InReference; }
 	T* GetReference() const { return Reference; }
 

@@ -1,5 +1,5 @@
-// What drydock's command line, configs and tests do with console variables beyond the engine's interface: list them,
-// set them from text with a check of the type, put them all back. Source of the wording of DescribeRefusedSet and
+// Serves drydock's command line, configs and tests beyond the engine's interface of console variables: lists them, sets
+// them from text with a check of the type, restores them all. Source of the wording of DescribeRefusedSet and
 // DescribeConsoleVariable: the engine.
 #pragma once
 
@@ -24,7 +24,7 @@ DRYDOCK_API TArray<FConsoleVariableInfo> ListConsoleVariables(const TCHAR* Prefi
 
 /** Sets a variable if Text reads as its type: bool takes true/false/on/off/yes/no/1/0, int32 a whole number, float any
  *  number, FString anything. False, with one sentence that names what was expected, if there is no such variable or
- * Text does not fit. A set that loses to a higher priority is no error: it warns. */
+ * Text does not fit. A set that loses to a higher priority is not an error: it warns. */
 DRYDOCK_API bool TrySetConsoleVariable(
 	const TCHAR* Name, const TCHAR* Text, EConsoleVariableFlags SetBy, FString& OutError);
 
@@ -42,7 +42,7 @@ DRYDOCK_API FString DescribeConsoleVariable(const TCHAR* Name, const IConsoleVar
  */
 DRYDOCK_API void SplitConsoleInput(const TCHAR* Input, FString& OutName, FString& OutValue);
 
-/** Every variable back to its default, as if nobody had set any. */
+/** Resets every variable to its default, as if none had ever been set. */
 DRYDOCK_API void ResetConsoleVariables();
 
 /** "Constructor", "Scalability", ... "Console" for the priority in Flags. */

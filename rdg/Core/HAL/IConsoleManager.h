@@ -167,7 +167,7 @@ public:
 		const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
 	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
 		const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
-	/** As often as it was registered. The pointer is stale after the last time. */
+	/** Must be called as often as the object was registered. The pointer is stale after the last time. */
 	void UnregisterConsoleObject(IConsoleObject* Object, bool bKeepState = true);
 	void UnregisterConsoleObject(const TCHAR* Name, bool bKeepState = true)
 	{

@@ -1,4 +1,4 @@
-// Something that must not stay silent for too long: a shader's tiles, a plugin's function. One thread looks at all.
+// Watches code that must not stay silent for too long: a shader's tiles, a plugin's function. One thread looks at all.
 #pragma once
 
 #include "CoreTypes.h"
@@ -9,8 +9,8 @@
 namespace Drydock
 {
 
-/** For its scope it is watched: once nothing was heard of it for Limit seconds, Report is called, from another thread,
- * and ends the process, unless something else does. */
+/** Watches code during its scope: once no sign of life has come for Limit seconds, Report is called from another
+ * thread, and ends the process, unless something else does. */
 class DRYDOCK_API FWatchdog
 {
 public:
@@ -22,7 +22,7 @@ public:
 	/** From any thread. */
 	void IsAlive() { NumSigns.fetch_add(1, std::memory_order_relaxed); }
 
-	/** While suspended (it counts), silence is no fault of it. */
+	/** Silence is not a fault while suspended; calls nest. */
 	void Suspend() { NumSuspended.fetch_add(1, std::memory_order_relaxed); }
 	void Resume()
 	{

@@ -1,4 +1,4 @@
-// Where plugins are, so that they can map their shaders. Source: engine Interfaces/IPluginManager.h.
+// Finds the folders of plugins, so that they can map their shaders. Source: engine Interfaces/IPluginManager.h.
 #pragma once
 
 #include "Containers/UnrealString.h"

@@ -1,4 +1,4 @@
-// How much a log line matters. Source: engine Logging/LogVerbosity.h.
+// Lists the levels of importance of a log line. Source: engine Logging/LogVerbosity.h.
 #pragma once
 
 #include "CoreTypes.h"

@@ -48,7 +48,7 @@ struct FLinearColor
 		: FLinearColor(FVector4f(Vector))
 	{
 	}
-	/** From sRGB; alpha is linear already. */
+	/** Converts from sRGB; alpha is linear already. */
 	DRYDOCK_API FLinearColor(const FColor& Color);
 
 	constexpr bool operator==(const FLinearColor&) const = default;

@@ -40,7 +40,7 @@ struct TIntPoint
 		, Y(static_cast<IntType>(Other.Y))
 	{
 	}
-	/** Towards zero; what an integer cannot hold as ToInteger.h says. */
+	/** Rounds towards zero; values that an integer cannot hold are converted as in ToInteger.h. */
 	template<typename T>
 	constexpr explicit TIntPoint(const TVector2<T>& Vector)
 		: X(Drydock::ToInteger<IntType>(Vector.X))

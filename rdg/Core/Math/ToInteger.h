@@ -1,6 +1,5 @@
-// From floating numbers to whole ones, with a result for every number: what any index, count, size or bound of a loop
-// that was computed in floating point goes through. A plain cast of NaN or of what the integer cannot hold is
-// undefined.
+// Converts floating numbers to integers, with a result for every number. Every index, count, size or loop bound that
+// was computed in floating point goes through it. A plain cast of NaN or of what the integer cannot hold is undefined.
 #pragma once
 
 #include "CoreTypes.h"
@@ -29,14 +28,15 @@ constexpr IntegerType ToInteger(RealType Value)
 	return Value < End ? static_cast<IntegerType>(Value) : FLimits::max();
 }
 
-/** Which of Count things, by a position among them: 0 .. Count - 1, NaN gives 0. Where there are none, 0. */
+/** Index among Count things, from a position among them: 0 .. Count - 1; NaN gives 0. If Count is 0, the result is 0.
+ */
 template<std::floating_point RealType>
 constexpr int32 ToIndex(RealType Position, int32 Count)
 {
 	return std::max(0, std::min(ToInteger<int32>(Position), Count - 1));
 }
 
-/** How many, or how far: the number without its fraction, within Least .. Most; NaN counts as 0. */
+/** Converts a count or a distance: the number without its fraction, within Least .. Most; NaN counts as 0. */
 template<std::floating_point RealType>
 constexpr int32 ToCount(RealType Number, int32 Least, int32 Most)
 {

@@ -74,7 +74,7 @@ struct FMath
 	{
 		return Max(Min(Value, High), Low);
 	}
-	/** To 0..1. */
+	/** Clamps to 0..1. */
 	template<typename T>
 	static constexpr T Saturate(const T& Value)
 	{
@@ -118,8 +118,8 @@ struct FMath
 		return Value >= Low && Value <= High;
 	}
 
-	// Rounding. Results of float are int32, of double int64, as in the engine; halves go up. What the integer cannot
-	// hold gives its nearest end and NaN 0 (ToInteger.h), where the engine's result is the CPU's.
+	// Rounding. Results of float are int32, of double int64, as in the engine; halves go up. A value that the integer
+	// cannot hold gives the nearest end, and NaN gives 0 (ToInteger.h), where the engine's result is the CPU's.
 	static int32 TruncToInt(float Value) { return Drydock::ToInteger<int32>(Value); }
 	static int64 TruncToInt(double Value) { return Drydock::ToInteger<int64>(Value); }
 	static int32 FloorToInt(float Value) { return Drydock::ToInteger<int32>(std::floor(Value)); }
@@ -358,7 +358,7 @@ struct FMath
 		const T Fraction = (Value - A) / (B - A);
 		return Fraction * Fraction * (T(3) - T(2) * Fraction);
 	}
-	/** Where Value lies between Low (0) and High (1), not clamped; an empty range gives 0 below High and 1 from it on.
+	/** Position of Value between Low (0) and High (1), not clamped; an empty range gives 0 below High and 1 from it on.
 	 */
 	template<std::floating_point T>
 	static constexpr T GetRangePct(T Low, std::type_identity_t<T> High, std::type_identity_t<T> Value)

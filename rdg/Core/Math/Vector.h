@@ -105,7 +105,7 @@ struct TVector
 	constexpr T GetMin() const { return FMath::Min3(X, Y, Z); }
 	constexpr T GetAbsMax() const { return GetAbs().GetMax(); }
 	constexpr TVector GetAbs() const { return {FMath::Abs(X), FMath::Abs(Y), FMath::Abs(Z)}; }
-	/** Of length 1, or ResultIfZero if the squared length is below the tolerance. */
+	/** The vector with length 1, or ResultIfZero if the squared length is below the tolerance. */
 	TVector GetSafeNormal(T Tolerance = UE_SMALL_NUMBER, const TVector& ResultIfZero = TVector()) const
 	{
 		const T Squared = SizeSquared();

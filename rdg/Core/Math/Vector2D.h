@@ -86,7 +86,7 @@ struct TVector2
 	constexpr T GetMin() const { return FMath::Min(X, Y); }
 	constexpr T GetAbsMax() const { return GetAbs().GetMax(); }
 	constexpr TVector2 GetAbs() const { return {FMath::Abs(X), FMath::Abs(Y)}; }
-	/** Of length 1, or zero if the squared length is below the tolerance. */
+	/** The vector with length 1, or zero if the squared length is below the tolerance. */
 	TVector2 GetSafeNormal(T Tolerance = UE_SMALL_NUMBER) const
 	{
 		const T Squared = SizeSquared();

@@ -30,8 +30,8 @@ struct TSame
 	using Type = V;
 };
 
-/** V, not deduced from, and no type at all where V is no vector: clang before 16 looks at what the parameters become
- * before it looks at the concept. */
+/** V, not deduced from, and no type at all if V is not a vector: clang before 16 substitutes the parameters before it
+ * checks the concept. */
 template<typename V>
 using TOperand = typename TSame<V>::Type;
 

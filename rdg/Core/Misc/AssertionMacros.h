@@ -14,8 +14,8 @@
 namespace Drydock
 {
 
-/** A failed check: a fault of the calling code, its message already printed on stderr (not of a plugin's code: what it
- * lets out is told where it was called). */
+/** A failed check: a fault of the calling code, its message already printed on stderr (except in a plugin's code, whose
+ * failed check is reported by its caller). */
 class DRYDOCK_API FCheckFailure : public std::runtime_error
 {
 public:

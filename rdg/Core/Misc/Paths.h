@@ -56,7 +56,7 @@ public:
 	static FString GameDir() { return ProjectDir(); }
 	static FString GamePluginsDir() { return ProjectPluginsDir(); }
 
-	/** There is no engine: "../../../Engine/", as the engine says where it is not installed elsewhere. */
+	/** "../../../Engine/", because there is no engine: the engine's value when it is not installed elsewhere. */
 	static FString EngineDir();
 	static FString EngineContentDir();
 	static FString EnginePluginsDir();

@@ -15,7 +15,7 @@ class USubsystem;
 namespace Drydock
 {
 
-/** What a subsystem lives as long as. */
+/** The object whose lifetime a subsystem shares. */
 enum class ESubsystemKind : uint8
 {
 	Engine,
@@ -66,7 +66,7 @@ public:
 namespace Drydock
 {
 
-/** What is known of a subsystem's class. */
+/** The description of a subsystem's class. */
 struct FSubsystemClass
 {
 	const TCHAR* Name = nullptr;
@@ -84,7 +84,7 @@ public:
 	void Register(const FSubsystemClass& Class);
 	/** Ends its object. */
 	void Unregister(const std::type_info& Type);
-	/** What ShouldCreateSubsystem is asked with, and GetOuter answers. */
+	/** Sets the outer object that ShouldCreateSubsystem is asked with and GetOuter returns. */
 	void SetOuter(ESubsystemKind Kind, UObject* Outer);
 	/** Starts those of a kind that have not started. */
 	void StartPending(ESubsystemKind Kind);
@@ -110,8 +110,8 @@ private:
 	FSubsystems() = default;
 };
 
-/** Registers a class of a plugin for as long as the plugin is loaded; says nothing for classes that nobody makes by
- * itself. Generated code has one for each UCLASS. */
+/** Registers a class of a plugin for as long as the plugin is loaded; does nothing for classes that are not made by
+ * themselves. Generated code has one for each UCLASS. */
 template<typename T>
 class TClassRegistration
 {

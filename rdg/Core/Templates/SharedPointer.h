@@ -24,7 +24,7 @@ class TWeakPtr;
 namespace Drydock::Private
 {
 
-/** What MakeShareable returns: a pointer on its way to its first owner. */
+/** The result of MakeShareable: a pointer on its way to its first owner. */
 template<typename T>
 struct TRawPtrProxy
 {

@@ -1,5 +1,5 @@
-// Finders of assets in constructors. There are no assets here: they find nothing, and say so. Source: engine
-// UObject/ConstructorHelpers.h.
+// Defines the finders of assets in constructors. There are no assets here: the finders find nothing, and report this.
+// Source: engine UObject/ConstructorHelpers.h.
 #pragma once
 
 #include "UObject/Object.h"

@@ -69,7 +69,7 @@ public:
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
 	/** Null for an object that was made without one. */
 	UObject* GetOuter() const { return Outer; }
-	/** Ours: NewObject tells it. */
+	/** Ours: called by NewObject. */
 	void SetOuter(UObject* InOuter) { Outer = InOuter; }
 	/** A part of this object, destroyed with it. */
 	template<typename T>
@@ -273,7 +273,7 @@ class TSoftObjectPtr : public TObjectPtr<T>
 public:
 	using TObjectPtr<T>::TObjectPtr;
 	TSoftObjectPtr() = default;
-	/** What a path gives (null, as no asset is loaded), or an object of another static type. */
+	/** The object of a path (null, as no asset is loaded), or an object of another static type. */
 	explicit TSoftObjectPtr(UObject* Object) requires(!std::is_same_v<T, UObject>)
 		: TObjectPtr<T>(Cast<T>(Object))
 	{

@@ -9,14 +9,14 @@
 namespace Drydock
 {
 
-/** What generated code says of a class: a friend of it, so that private fields are seen (UObject/Reflection.h). */
+/** Generated code makes this a friend of a class, so that private fields are seen (UObject/Reflection.h). */
 template<typename T>
 struct TReflected;
 
 } // namespace Drydock
 
-// A generated header sets CURRENT_FILE_ID and defines, for the line of each GENERATED_BODY, a macro `, <text>`. Where
-// there is none (no generated header, or one of another line) the second argument is empty, and so is the body.
+// A generated header sets CURRENT_FILE_ID and defines, for the line of each GENERATED_BODY, a macro `, <text>`. Without
+// such a macro (no generated header, or one of another line) the second argument is empty, and so is the body.
 #define DRYDOCK_SECOND_OF(First, Second, ...) Second
 #define DRYDOCK_SECOND(...) DRYDOCK_SECOND_OF(__VA_ARGS__, , )
 #define DRYDOCK_BODY_NAME_OF(FileId, Line) FileId##_##Line##_GENERATED_BODY

@@ -1,6 +1,6 @@
-// What is known at run time of a plugin's classes, structs and enums: the names and types of their UPROPERTY fields, so
-// that a config's "objects" and ini files can give them values. drydock_add_plugin generates the code that registers
-// them (NAME.gen.cpp) from the headers; nobody else includes this. Source of the idea: engine UObject/Class.h and
+// Describes a plugin's classes, structs and enums at run time: the names and types of their UPROPERTY fields, so that a
+// config's "objects" and ini files can set them. drydock_add_plugin generates the code that registers them
+// (NAME.gen.cpp) from the headers; nobody else includes this. Source of the idea: engine UObject/Class.h and
 // UnrealType.h; names and shape are drydock's own. A little past 500 lines: one header for generated code to include,
 // whose templates make each field's entry of its C++ type.
 #pragma once
@@ -33,7 +33,8 @@ enum class EPropertyKind : uint8
 	Other,  // an array of fixed length and the like
 };
 
-/** How values of a type are read and written. Address is that of the value; of a bit field that of the object. */
+/** The functions that read and write values of a type. Address is that of the value; of a bit field that of the object.
+ */
 struct FPropertyType
 {
 	EPropertyKind Kind = EPropertyKind::Other;
@@ -130,7 +131,7 @@ public:
 
 	void Register(const FReflectedStruct& Struct);
 	void Register(const FReflectedEnum& Enum);
-	/** With the values that were given to it. */
+	/** Unregisters a struct, with the values that were given to it. */
 	void Unregister(const FReflectedStruct& Struct);
 	void Unregister(const FReflectedEnum& Enum);
 
@@ -140,12 +141,13 @@ public:
 	const FReflectedStruct* FindStruct(const std::type_info& Type) const;
 	const FReflectedEnum* FindEnum(const std::type_info& Type) const;
 
-	/** Of a class and those it is derived from; ignoring case where bIgnoreCase. Property null: there is none. */
+	/** Finds a property of a class and those it is derived from; ignores case where bIgnoreCase. Property is null if
+	 * there is none. */
 	FFoundProperty FindProperty(const FReflectedStruct& Struct, const std::string& Name, bool bIgnoreCase) const;
 	std::vector<std::string> GetPropertyNames(const FReflectedStruct& Struct) const;
 
 	/** Gives a property of a class's default object, and of its subsystem, a value; objects made later begin with it.
-	 * What was there before is kept. False, with the reason, where it cannot have it. */
+	 * The values given before are kept. False, with the reason, where it cannot have it. */
 	bool Give(const FReflectedStruct& Class, const std::string& Name, const FPropertyValue& Value,
 		FPropertyProblem& OutProblem);
 	/** Calls PostInitProperties of the default objects of a plugin that were given something. */
@@ -153,7 +155,7 @@ public:
 	/** Puts back all that was given, of all plugins. */
 	void TakeBack();
 
-	/** What a new object of a class begins with: the values that were given; then PostInitProperties. */
+	/** Gives a new object of a class the values that were given for it, then calls PostInitProperties. */
 	void FinishObject(UObject& Object, const std::type_info& Type);
 
 private:
@@ -171,7 +173,7 @@ DRYDOCK_API bool WriteProperty(
 /** "a whole number from 0 to 255", "one of Off, On", ... */
 DRYDOCK_API std::string DescribeExpected(const FPropertyType& Type);
 
-// What follows makes the types, for the generated code.
+// The functions below make the types, for the generated code.
 
 template<typename T>
 const FPropertyType& GetPropertyType();

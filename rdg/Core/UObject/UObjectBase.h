@@ -1,5 +1,5 @@
-// UObjectBase: what an object needs so that weak pointers and delegates notice its end. There is no garbage collection
-// and no reflection: objects live as C++ says. Source: engine UObject/UObjectBase.h.
+// UObjectBase: the part of an object by which weak pointers and delegates notice its end. There is no garbage
+// collection and no reflection: objects live as C++ says. Source: engine UObject/UObjectBase.h.
 #pragma once
 
 #include "CoreTypes.h"
