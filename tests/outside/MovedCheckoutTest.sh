@@ -69,7 +69,7 @@ RunDev "$Work/copy" list passes
 Expect "a copy runs its own program" '[ "$Code" = 0 ] && [ "$Out" = "the program of $Work/copy" ]'
 Expect "which was configured first" 'grep -q -- "^--preset release" <<<"$Asked"'
 Expect "and whose shaders are warmed" 'grep -q drydock_ready <<<"$Asked"'
-Expect "and says so, with the old place" 'grep -q "configured for $Work/old: this checkout is a copy" <<<"$Err"'
+Expect "and says so, with the old place" 'grep -q "configured for $Work/old, but this checkout was copied or moved" <<<"$Err"'
 RunDev "$Work/copy" list passes
 Expect "once" '! grep -q -- --preset <<<"$Asked" && [ -z "$Err" ]'
 

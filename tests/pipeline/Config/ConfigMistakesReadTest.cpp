@@ -47,7 +47,7 @@ TEST(ConfigMistakes, CurvesNameWhatIsWrongWithThem)
 		Message(R"({"keys": [[0, 1]], "interp": "linar"})"));
 	EXPECT_EQ("/key a curve has only \"keys\" and \"interp\", not \"key\"; did you mean keys?",
 		Message(R"({"key": [], "keys": [[0, 1]]})"));
-	EXPECT_EQ(0u, Message("5").find(" AutoExposureBiasCurve is keys, {\"keys\": ")) << Message("5");
+	EXPECT_EQ(0u, Message("5").find(" AutoExposureBiasCurve must be keys, {\"keys\": ")) << Message("5");
 }
 
 TEST(ConfigMistakes, FiveMistakesGiveFiveMessagesInTheOrderOfTheFile)
@@ -162,7 +162,7 @@ TEST(ConfigMistakes, SettingsOfWrongTypeSayWhatTheyAre)
 	EXPECT_EQ("BloomMethod must be one of BM_SOG, BM_FFT; did you mean BM_FFT?",
 		OnlyText(Volume(R"("BloomMethod": "BM_FTT")")));
 	EXPECT_EQ("BloomMethod must be one of BM_SOG, BM_FFT", OnlyText(Volume(R"("BloomMethod": 2)")));
-	EXPECT_EQ("Bloom1Tint is a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}",
+	EXPECT_EQ("Bloom1Tint must be a colour: [R, G, B], [R, G, B, A] or {\"R\": .., \"G\": .., \"B\": .., \"A\": ..}",
 		OnlyText(Volume(R"("Bloom1Tint": [1, 2])")));
 }
 

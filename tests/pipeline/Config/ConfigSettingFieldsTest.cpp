@@ -123,10 +123,10 @@ TEST(ConfigSettings, WrongValuesSayWhatIsExpected)
 		"a.json", Diagnostics);
 	std::erase_if(Diagnostics, [](const FDiagnostic& Each) { return Each.Code == WarnNotBuilt; });
 	ASSERT_EQ(4u, Diagnostics.size());
-	EXPECT_EQ(
-		"BloomDirtMask is the path of a Texture, such as \"/Game/Folder/Name.Name\", or null", Diagnostics[0].Message);
-	EXPECT_EQ("LensFlareTints is eight colours: [[R, G, B, A], ...]", Diagnostics[1].Message);
-	EXPECT_EQ("ColorGain is four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}",
+	EXPECT_EQ("BloomDirtMask must be the path of a Texture, such as \"/Game/Folder/Name.Name\", or null",
+		Diagnostics[0].Message);
+	EXPECT_EQ("LensFlareTints must be eight colours: [[R, G, B, A], ...]", Diagnostics[1].Message);
+	EXPECT_EQ("ColorGain must be four numbers: [X, Y, Z, W] or {\"X\": .., \"Y\": .., \"Z\": .., \"W\": ..}",
 		Diagnostics[2].Message);
 	EXPECT_EQ("MotionBlurTargetFPS must be a whole number", Diagnostics[3].Message);
 }
