@@ -236,7 +236,7 @@ std::vector<double> CountReads(int32 NumTexels, float CenterUV, float SizeInvers
 	return Reads;
 }
 
-/** Of the resized kernel as a whole, from what it is resized from. */
+/** The sum of the whole kernel after resizing, computed from the texture before it. */
 FVector4f SumWholeKernel(FRHITexture& Texture, const FBloomFFTKernel& Wanted, FVector2f SizeInverse)
 {
 	const FIntPoint Size = Texture.GetSizeXY();

@@ -8,14 +8,15 @@
 namespace Drydock
 {
 
-/** A texture of the graph, which the graph may place as it likes, until somebody asks for it: from then on it is one
- * from outside, and whatever registers it draws into the final picture. */
+/** The family's texture, of the output's size in pixels and its display format. It is a texture of the graph, which may
+ * alias it, until a plugin calls GetRenderTargetTexture. From then on it is an external texture, and a pass that
+ * registers and draws it draws into the final picture. Error: a first call inside a running pass is DD2004. */
 class FFamilyTarget final : public FRenderTarget
 {
 public:
 	using FRenderTarget::GetRenderTargetTexture;
 
-	/** Before anybody asks. */
+	/** Must come before the first GetRenderTargetTexture. */
 	void SetDesc(const FRHITextureDesc& InDesc) { Desc = InDesc; }
 
 	const FTextureRHIRef& GetRenderTargetTexture() const override

@@ -301,7 +301,7 @@ private:
 		PostProcessingInputs.ViewFamilyTexture = FamilyTarget.AddTo(GraphBuilder, MakeTargetDesc());
 		if (NamedViews.size() > 1 && NamedViews[0].View->bUseComputePasses)
 		{
-			// What lies between views; the first view's render pass clears it elsewhere.
+			// Nothing else writes between views: without compute entries the first view's render pass clears that.
 			AddClearRenderTargetPass(GraphBuilder, PostProcessingInputs.ViewFamilyTexture);
 		}
 		PostProcessingInputs.CustomDepthTexture = SceneTextures.CustomDepth;

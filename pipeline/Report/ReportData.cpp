@@ -132,7 +132,7 @@ private:
 									   .bPack = Inputs.bFull});
 	}
 
-	/** Of all passes; where they weigh too much, of every second, fourth, ... texture. How many were left out. */
+	/** Writes every thumbnail, or every second, fourth, ... while they weigh too much. Returns how many it left out. */
 	size_t WriteThumbnails()
 	{
 		std::vector<FReportPicture> All;

@@ -1,4 +1,4 @@
-// Entry points are told by their attributes and semantics.
+// Finds entry points by their attributes and semantics, and cuts a text into what each of them needs.
 #include "ShaderEntries.h"
 
 #include "RegularFile.h"

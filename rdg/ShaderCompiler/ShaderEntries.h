@@ -1,4 +1,4 @@
-// Functions of a shader's text, and which of them are its entry points.
+// Lists the functions of a shader's text, finds its entry points, and gives each of these a text of its own.
 #pragma once
 
 #include "HlslTokens.h"
@@ -7,14 +7,15 @@
 namespace Drydock
 {
 
-/** A function of the text: its name, and the tokens of its body. */
+/** A function with a body. Indices are into FHlslText::Tokens. */
 struct FFunctionText
 {
 	size_t Name = 0;
-	size_t Parameters = 0; // of its parameters' (
-	size_t Body = 0;       // of its {
+	size_t Parameters = 0; // the ( of its parameters
+	size_t Body = 0;       // the { of its body
 };
 
+/** In the order of the text. Declarations without a body are not listed. */
 std::vector<FFunctionText> ListFunctionTexts(const FHlslText& Text);
 
 /** An entry point as the text declares it. */
@@ -24,11 +25,12 @@ struct FShaderEntry
 	EShaderStage Stage = EShaderStage::Compute;
 };
 
-/** Entry points of a file that no shader class names: functions with [numthreads], and those with SV_Target; of
- * SPIR-V the module's. Request: its file and defines. */
+/** Finds the entry points of a file that no shader class names: functions with [numthreads] or SV_Target, or those of
+ * a SPIR-V module. Request: the file and its defines. Throws FError as FlattenShader does. */
 DRYDOCK_API std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request);
 
-/** The text of a file for each of its entry points, without the other entry points and what only they use. */
+/** The flattened text of a file for each of its entry points: without those other entry points that nothing else
+ * mentions. So each text parses in a time of its own size. */
 class DRYDOCK_API FEntryTexts
 {
 public:

@@ -2,18 +2,13 @@
 #include "RandomFrame.h"
 
 #include "PassFactory.h"
-#include "Picture/ImageFile.h"
 #include "PostProcessSettingsReflection.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-
-#include <unistd.h>
 
 using namespace Drydock;
 using FJson = nlohmann::ordered_json;
@@ -98,7 +93,7 @@ double& At(FImage& Picture, int X, int Y, int Channel)
 	return Picture.Values[static_cast<size_t>((Y * Picture.Width + X) * Picture.NumChannels + Channel)];
 }
 
-/** What light the hard cases are made of. */
+/** A value of light that is hard for some pass. */
 double MakeHardLight(FChance& Chance)
 {
 	return Chance.Of(std::vector<double>{0.0, -0.0, -1.5, 65504.0, 65520.0, 1e6, 6e-8, 1e-40, 1e-300, 3.0});
@@ -182,7 +177,7 @@ FJson MakeSetting(FChance& Chance, const FSettingField& Field)
 	return Values.empty() ? FJson() : Values;
 }
 
-/** What calls for an effect; the others only shape it. */
+/** Whether this setting calls for an effect. The others only shape effects. */
 bool CallsForEffect(const std::string& Name)
 {
 	static const std::vector<std::string> Names = {"BloomIntensity", "BloomThreshold", "BloomToonIntensity",
@@ -294,7 +289,7 @@ void AddViews(FChance& Chance, int Width, int Height, FJson& Config)
 
 FJson MakeScene(FChance& Chance)
 {
-	FJson Scene = {{"file", "random.exr"}};
+	FJson Scene = {{"file", "scene.exr"}};
 	if (Chance.Is(0.4))
 	{
 		Scene["padding"] = {Chance.Whole(0, 40), Chance.Whole(0, 40), Chance.Whole(0, 40), Chance.Whole(0, 40)};
@@ -325,16 +320,6 @@ FJson MakeVariables(FChance& Chance)
 		Variables["r.Drydock.Storage"] = Chance.Whole(1, 2);
 	}
 	return Variables;
-}
-
-std::filesystem::path MakeFolder()
-{
-	std::string Folder = (std::filesystem::temp_directory_path() / "drydock_random.XXXXXX").string();
-	if (mkdtemp(Folder.data()) == nullptr)
-	{
-		throw std::runtime_error("there is no folder for a random scene");
-	}
-	return Folder;
 }
 
 } // namespace
@@ -423,7 +408,7 @@ FRandomFrame MakeFoolingFrame(uint32_t Seed)
 			At(Picture, X, Y, ShadingModel) = Chance.Is(0.5) ? Toon : Lit;
 		}
 	}
-	FJson Config = {{"engine", "5." + std::to_string(Chance.Whole(1, 8))}, {"scene", {{"file", "random.exr"}}}};
+	FJson Config = {{"engine", "5." + std::to_string(Chance.Whole(1, 8))}, {"scene", {{"file", "scene.exr"}}}};
 	if (Chance.Is(0.5))
 	{
 		Config["scene"]["padding"] = Chance.Whole(1, 5);
@@ -460,32 +445,15 @@ FRandomFrame MakeFoolingFrame(uint32_t Seed)
 
 FRandomScene::FRandomScene(FRandomFrame InFrame)
 	: Frame(std::move(InFrame))
-	, Folder(MakeFolder())
+	, Folder(Frame.Picture, Frame.Channels)
 {
-	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/two_boxes.json");
-	FJson Camera = FJson::parse(File);
-	Camera["scene"] = "random";
-	Camera["width"] = Frame.Picture.Width;
-	Camera["height"] = Frame.Picture.Height;
-	std::ofstream(Folder / "random.json") << Frame.Config;
-	WriteExr((Folder / "random.exr").string(), Frame.Picture, Frame.Channels, {{"drydock:camera_json", Camera.dump()}});
-}
-
-FRandomScene::~FRandomScene()
-{
-	if (std::getenv("DRYDOCK_RANDOM_KEEP") != nullptr)
-	{
-		std::printf("%s/random.json is kept\n", Folder.c_str());
-		return;
-	}
-	std::error_code Ignored;
-	std::filesystem::remove_all(Folder, Ignored);
+	std::ofstream(Folder.Path / "random.json") << Frame.Config;
 }
 
 FRunResult FRandomScene::Run(const std::vector<std::string>& Variables, bool bNoSkip) const
 {
 	FRunOptions Options;
-	Options.ConfigFile = (Folder / "random.json").string();
+	Options.ConfigFile = (Folder.Path / "random.json").string();
 	Options.ConfigText = Frame.Config;
 	Options.Variables = Variables;
 	Options.bNoSkip = bNoSkip;

@@ -3,20 +3,20 @@
 
 #include "Picture/Picture.h"
 #include "Run/Run.h"
+#include "SceneFolder.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace Stability
 {
 
-/** A frame as data. */
+/** A frame as data. Colour is linear, depth in metres, velocity in pixels; pixels count from the picture's top left. */
 struct FRandomFrame
 {
 	Drydock::FImage Picture;
 	std::vector<std::string> Channels; // of Picture
-	std::string Config;                // JSON; its scene is "random.exr"
+	std::string Config;                // JSON; its scene is "scene.exr"
 };
 
 /** Effects, settings in their range, inserted passes, sizes from 1 to 1200, rects, padding, engine profiles, articles'
@@ -32,9 +32,6 @@ class FRandomScene
 {
 public:
 	explicit FRandomScene(FRandomFrame InFrame);
-	~FRandomScene();
-	FRandomScene(const FRandomScene&) = delete;
-	FRandomScene& operator=(const FRandomScene&) = delete;
 
 	/** Variables: "r.Name=Value". Throws FError as RunConfig does. */
 	Drydock::FRunResult Run(const std::vector<std::string>& Variables, bool bNoSkip) const;
@@ -42,7 +39,7 @@ public:
 	const FRandomFrame Frame;
 
 private:
-	const std::filesystem::path Folder;
+	const FSceneFolder Folder;
 };
 
 } // namespace Stability

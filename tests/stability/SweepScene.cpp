@@ -1,14 +1,6 @@
 // The small scene and the two frames of the sweep.
 #include "SweepScene.h"
 
-#include "Picture/ImageFile.h"
-
-#include <nlohmann/json.hpp>
-
-#include <fstream>
-
-#include <unistd.h>
-
 using namespace Drydock;
 
 namespace Stability
@@ -45,18 +37,6 @@ FImage MakePicture()
 	return Picture;
 }
 
-/** Of another small scene, at this one's size. */
-std::string MakeCamera()
-{
-	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/configs/scenes/two_boxes.json");
-	nlohmann::ordered_json Camera = nlohmann::ordered_json::parse(File);
-	Camera["scene"] = "sweep";
-	Camera["width"] = Width;
-	Camera["height"] = Height;
-	Camera["focal_length_px"] = 30.0;
-	return Camera.dump();
-}
-
 constexpr const char* AllOn = R"(
 	"MotionBlurAmount": 0.5, "MotionBlurTargetFPS": 0, "MotionBlurMax": 20,
 	"DepthOfFieldFocalDistance": 350, "DepthOfFieldFstop": 2, "DepthOfFieldSensorWidth": 1000,
@@ -84,15 +64,8 @@ std::string MakeConfig(ESweepFrame Frame)
 	const std::string Own = bPrinted ? R"("BloomMethod": "BM_FFT", "AutoExposureMethod": "AEM_Basic")"
 									 : R"("BloomMethod": "BM_SOG", "AutoExposureMethod": "AEM_Histogram")";
 	const std::string Exposure = Frame == ESweepFrame::Manual ? "1" : R"("auto")";
-	return R"({"scene": {"file": "sweep.exr"}, "view": {"exposure": )" + Exposure + R"(}, "cvars": {)" + Variables +
+	return R"({"scene": {"file": "scene.exr"}, "view": {"exposure": )" + Exposure + R"(}, "cvars": {)" + Variables +
 		   R"(}, "volumes": [{"name": "All", "bUnbound": true, "Settings": {)" + Own + "," + AllOn + "}}]}";
-}
-
-std::filesystem::path MakeFolderName()
-{
-	static int NumScenes = 0;
-	return std::filesystem::temp_directory_path() /
-		   ("drydock_sweep_" + std::to_string(getpid()) + "_" + std::to_string(NumScenes++));
 }
 
 } // namespace
@@ -103,23 +76,15 @@ const char* ToString(ESweepFrame Frame)
 }
 
 FSweepScene::FSweepScene()
-	: Folder(MakeFolderName())
+	: Folder(MakePicture(), Channels)
 {
-	std::filesystem::create_directories(Folder);
-	WriteExr((Folder / "sweep.exr").string(), MakePicture(), Channels, {{"drydock:camera_json", MakeCamera()}});
-}
-
-FSweepScene::~FSweepScene()
-{
-	std::error_code Ignored;
-	std::filesystem::remove_all(Folder, Ignored);
 }
 
 FRunResult FSweepScene::Run(
 	ESweepFrame Frame, const std::vector<std::string>& Settings, const std::vector<std::string>& Variables) const
 {
 	FRunOptions Options;
-	Options.ConfigFile = (Folder / "sweep.json").string();
+	Options.ConfigFile = (Folder.Path / "sweep.json").string();
 	Options.ConfigText = MakeConfig(Frame);
 	Options.Settings = Settings;
 	Options.Variables = Variables;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Run/Run.h"
+#include "SceneFolder.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,16 +26,13 @@ class FSweepScene
 {
 public:
 	FSweepScene();
-	~FSweepScene();
-	FSweepScene(const FSweepScene&) = delete;
-	FSweepScene& operator=(const FSweepScene&) = delete;
 
 	/** Settings: "Name=Value"; Variables: "r.Name=Value". Throws FError as RunConfig does. */
 	Drydock::FRunResult Run(ESweepFrame Frame, const std::vector<std::string>& Settings,
 		const std::vector<std::string>& Variables = {}) const;
 
 private:
-	const std::filesystem::path Folder;
+	const FSceneFolder Folder;
 };
 
 } // namespace Stability

@@ -1,5 +1,6 @@
 // Toon bloom in the bloom setup: corrected and as printed, on images computed by hand, against an independent double
-// computation, and its hazards.
+// computation, and its hazards. A little past 500 lines: the cases share FToonRun, which builds a frame around the
+// setup.
 #include "NativeTestUtils.h"
 #include "PassTestUtils.h"
 

@@ -191,7 +191,7 @@ TEST(DualKawaseAsPrinted, TheViewRectIsIgnoredAndBlackLiesAroundIt)
 		FPassRun Whole(Black, EArithmetic::Native);
 		Expected = Whole.Execute(AddPass(Whole, 1));
 	}
-	// What lies around the rect of 16x16 is NaN in this input.
+	// This input is NaN around the rect of 16x16.
 	FPassRun Run(FImage(16, 16, {1, 1, 1, 1}), {8, 8, 24, 24}, FIntPoint(32, 32), EArithmetic::Native);
 	const FScreenPassTexture Output = AddPass(Run, 1);
 	EXPECT_EQ(FIntRect(0, 0, 32, 32), Output.ViewRect);

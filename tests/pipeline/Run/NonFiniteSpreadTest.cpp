@@ -190,7 +190,7 @@ TEST(RunNonFinite, DepthIsMendedByWhatLiesBesideIt)
 	Image.Values[(21 * 96 + 95) * 4 + 3] = -std::numeric_limits<double>::infinity();
 	EXPECT_EQ(Sound.Values, Run("1").Final.ToImage().Values);
 
-	// What a run says of the final picture is how it stands to the sound one.
+	// A run reports the final picture's distance to that of a sound frame.
 	const FRunResult Result = Run("0");
 	const FImage Final = Result.Final.ToImage();
 	uint64_t NumChanged = 0;

@@ -36,7 +36,8 @@ struct FCase
 	int32_t Mip;
 };
 
-/** What kernels compare of a tap that has learned nothing: a memory checker names what is not written. */
+/** Kernels compare these members of a tap that has learned nothing. A memory checker names a member that is not
+ * written. */
 TEST(LanesTap, ForgottenOnesAreWrittenAsFarAsTheyAreCompared)
 {
 	FKernelTap Taps[2];
