@@ -1,5 +1,5 @@
 # What drydock_add_plugin reads from a plugin's headers beside its classes: fields marked UPROPERTY, and enums marked UENUM,
-# as the code that registers them (rdg/Core/UObject/Reflection.h). What it does not understand it leaves out: such a field
+# as the code that registers them (rdg/core/Core/UObject/Reflection.h). What it does not understand it leaves out: such a field
 # is one that no config can give.
 
 string(ASCII 1 _DrydockSemicolon)

@@ -1,9 +1,9 @@
-# Lane code: built once for each instruction set, and chosen at run time (rdg/Lanes/LanesDispatch.h).
+# Lane code: built once for each instruction set, and chosen at run time (rdg/shader/Lanes/LanesDispatch.h).
 
 # The widest float lanes of the CPU that builds: 4, 8 or 16.
 function(drydock_find_native_lanes OutLanes)
 	file(WRITE ${PROJECT_BINARY_DIR}/NativeLanes.cpp
-		"#include \"${PROJECT_SOURCE_DIR}/rdg/Lanes/CpuLanes.h\"\nint main() { return Drydock::GetCpuLanes(); }\n")
+		"#include \"${PROJECT_SOURCE_DIR}/rdg/shader/Lanes/CpuLanes.h\"\nint main() { return Drydock::GetCpuLanes(); }\n")
 	try_run(NATIVE_LANES bCompiled ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/NativeLanes.cpp)
 	set(${OutLanes} ${NATIVE_LANES} PARENT_SCOPE)
 endfunction()

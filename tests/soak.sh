@@ -163,7 +163,7 @@ Kills() {
 
 Random() {
 	local Code=0 Log=$Results/random.run Work Agree Other
-	Prepare release test_rdg_ShaderCompiler drydock_front_end || return 0
+	Prepare release test_rdg_Compiler drydock_front_end || return 0
 	Work=$(mktemp -d)
 	Within tests/random/run.sh build/release "$Work" 20000 $((Seed * 20000)) "$(nproc)" 2>&1 | tee "$Log" || Code=$?
 	Agree=$(cat "$Work"/*.log 2>/dev/null | grep -c '^\[       OK' || true)
@@ -210,8 +210,8 @@ Sweep() {
 
 Oracles() {
 	Count() { echo "$(grep -c '^\[       OK' "$1" || true) tests"; }
-	Prepare release test_rdg_Vulkan drydock_front_end || return 0
-	OneTest env DRYDOCK_ORACLES=512 build/release/bin/test_rdg_Vulkan
+	Prepare release test_rdg_vulkan drydock_front_end || return 0
+	OneTest env DRYDOCK_ORACLES=512 build/release/bin/test_rdg_vulkan
 }
 
 Conformance() {

@@ -14,13 +14,23 @@ import sys
 TESTS = pathlib.Path(__file__).resolve().parent
 # As in tests/CMakeLists.txt: folders whose files, and whose folders' files, are one program.
 STOREYS = ["rdg", "settings", "passes", "pipeline"]
-ROOMS = ["project", "settings", "passes", "pipeline", "stability"] + [f"rdg/{p.name}" for p in (TESTS / "rdg").iterdir()]
+ROOMS = ["project", "settings", "passes", "pipeline", "stability"] + sorted(
+    str(p.relative_to(TESTS)) for p in (TESTS / "rdg").rglob("*") if p.name != "NegativeCompile" and any(p.glob("*.cpp")))
 KINDS = {"TEST": "{0}.{1}", "TEST_F": "{0}.{1}", "RC_GTEST_PROP": "{0}.{1}", "TEST_P": "*{0}.{1}/*", "TYPED_TEST": "*{0}/*.{1}"}
+
+
+def name_program(room):
+    return re.sub("/([a-z]+/)?", "_", room)
+
+
+def find_room(folder):
+    """The nearest folder of tests at or above the one that mirrors a source's folder."""
+    return folder if folder.is_dir() or folder == TESTS else find_room(folder.parent)
 
 
 def list_ctest_names():
     """As tests/CMakeLists.txt makes them: rooms, pages of docs/, and tests by name."""
-    yield from (room.replace("/", "_") for room in ROOMS)
+    yield from map(name_program, ROOMS)
     yield from ("page_" + page.stem for page in (TESTS.parent / "docs").rglob("*.md"))
     for listing in TESTS.rglob("CMakeLists.txt"):
         yield from re.findall(r"add_test\(NAME (\w+) ", listing.read_text())
@@ -41,7 +51,7 @@ def find_filters(is_wanted):
             names.add(path.stem.removesuffix("Test"))
             tests = list(find_tests(text)) if is_wanted(path, text) else []
             if tests:
-                filters.setdefault("test_" + room.replace("/", "_"), []).extend(tests)
+                filters.setdefault("test_" + name_program(room), []).extend(tests)
     return filters, names
 
 
@@ -51,10 +61,10 @@ def main(unit):
     stem = pathlib.PurePath(unit).name.split(".")[0]
     includes = re.compile(r'^#include "(?:[^"]*/)?%s\.h"' % re.escape(stem), re.M)
     sources = [source for storey in STOREYS for source in (TESTS.parent / storey).rglob(stem + ".*")]
-    rooms = {TESTS / source.parent.relative_to(TESTS.parent) for source in sources}
+    rooms = {find_room(TESTS / source.parent.relative_to(TESTS.parent)) for source in sources}
     filters, names = find_filters(lambda path, text: path.stem.startswith(stem) or includes.search(text))
     if not filters:
-        filters, _ = find_filters(lambda path, text: path.parent in rooms)
+        filters, _ = find_filters(lambda path, text: rooms.intersection(path.parents))
     for program, tests in filters.items():
         print(program, ":".join(tests), sep="\t")
     if not filters:

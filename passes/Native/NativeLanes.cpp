@@ -1,7 +1,6 @@
 // Finds the lanes of native kernels.
 #include "Native/NativeLanes.h"
 
-#include "KernelCompiler.h"
 #include "LanesDispatch.h"
 #include "ShaderCompilation.h"
 

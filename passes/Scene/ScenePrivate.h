@@ -1,16 +1,8 @@
-// The renderer's own scene: it holds nothing here but its world. Source: engine file ScenePrivate.h.
+// The renderer's private header as plugins include it: the scene, and the view that shows it. Source: engine file
+// ScenePrivate.h.
 #pragma once
 
 #include "PostProcess/PostProcessing.h"
-#include "SceneInterface.h"
+#include "RendererScene.h"
 #include "SceneRendering.h"
 #include "SceneViewState.h"
-
-class DRYDOCK_API FScene : public FSceneInterface
-{
-public:
-	using FSceneInterface::FSceneInterface;
-	using FSceneInterface::World;
-
-	FScene* GetRenderScene() override { return this; }
-};

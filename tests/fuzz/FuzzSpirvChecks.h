@@ -5,7 +5,7 @@
 #include "SpirvEmit.h"
 #include "SpirvInterpreter.h"
 
-#include "rdg/ShaderCompiler/BlankArguments.h"
+#include "rdg/shader/Compiler/BlankArguments.h"
 
 #include <algorithm>
 #include <string>

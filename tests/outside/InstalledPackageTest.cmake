@@ -20,11 +20,11 @@ run_step("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefi
 # The public face: headers of rdg, settings and passes, the engine's names for them, and one of the pipeline's.
 file(GLOB_RECURSE Headers RELATIVE "${WORK}/prefix/include/drydock" "${WORK}/prefix/include/drydock/*")
 foreach(Header IN LISTS Headers)
-	if(NOT Header MATCHES "^(rdg|settings|passes|engine)/.*[.](h|inl)$" AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
+	if(NOT Header MATCHES "^(rdg/core|rdg/graph|rdg/shader/Lanes|settings|passes|engine)/.*[.](h|inl)$" AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
 		message(FATAL_ERROR "${Header} is installed, which is no affair of plugins")
 	endif()
 endforeach()
-foreach(Header IN ITEMS rdg/Core/CoreMinimal.h settings/PostProcessSettings.h passes/Scene/SceneView.h
+foreach(Header IN ITEMS rdg/core/Core/CoreMinimal.h settings/Table/PostProcessSettings.h passes/Scene/SceneView.h
 	engine/Runtime/Engine/Public/SceneView.h pipeline/DrydockFrame.h)
 	if(NOT Header IN_LIST Headers)
 		message(FATAL_ERROR "${Header} is not installed")

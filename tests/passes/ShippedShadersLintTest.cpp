@@ -44,7 +44,7 @@ std::vector<int32> ListPermutations(const FShaderType& Type)
 std::set<fs::path> ListShippedFiles()
 {
 	std::set<fs::path> Files;
-	for (const char* const Folder : {"/passes/Shaders", "/rdg/Shaders"})
+	for (const char* const Folder : {"/passes/Shaders", "/rdg/graph/Shaders"})
 	{
 		for (const fs::directory_entry& Entry :
 			fs::recursive_directory_iterator(DRYDOCK_TEST_SOURCE_DIR + std::string(Folder)))

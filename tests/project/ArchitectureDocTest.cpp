@@ -22,11 +22,12 @@ std::string ReadPage()
 	return Text.str();
 }
 
-/** "rdg/Core", ...: folders of a storey that hold files. */
+/** "rdg/core/Core", ...: folders of a storey that hold files. */
 std::set<std::string> FindRooms()
 {
 	std::set<std::string> Rooms;
-	for (const char* const Storey : {"rdg", "settings", "passes", "pipeline"})
+	for (const char* const Storey :
+		{"rdg", "rdg/core", "rdg/graph", "rdg/shader", "rdg/shader/Spirv", "settings", "passes", "pipeline"})
 	{
 		for (const auto& Entry : Files::directory_iterator(GRoot / Storey))
 		{
@@ -44,7 +45,7 @@ std::set<std::string> FindRows()
 {
 	std::set<std::string> Rows;
 	std::istringstream Lines(ReadPage());
-	const std::regex Name("`((?:rdg|settings|passes|pipeline)/[A-Za-z]+)`");
+	const std::regex Name("`((?:rdg|settings|passes|pipeline)/[A-Za-z/]+)`");
 	for (std::string Line; std::getline(Lines, Line);)
 	{
 		const std::string First = Line.rfind("| `", 0) == 0 ? Line.substr(0, Line.find('|', 1)) : "";

@@ -11,8 +11,8 @@ namespace
 {
 
 /** Code for lanes and the interpreter that models it convert by the shader's own rules; the casts are written there. */
-const std::vector<std::string> GFolders = {
-	"rdg/Core", "rdg/RHI", "rdg/Graph", "rdg/GraphUtils", "rdg/Binding", "settings", "passes", "pipeline"};
+const std::vector<std::string> GFolders = {"rdg/core/Core", "rdg/core/RHI", "rdg/graph/Graph", "rdg/graph/GraphUtils",
+	"rdg/graph/Binding", "settings", "passes", "pipeline"};
 
 const std::regex GCast(
 	R"((static_cast<(u?int(8|16|32|64)(_t)?|int|long|unsigned|size_t)>|\b(u?int(8|16|32|64)(_t)?|int))\()"

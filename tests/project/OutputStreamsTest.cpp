@@ -9,7 +9,7 @@
 TEST(OutputStreams, AreWrittenByPrintText)
 {
 	// Some of these write text that only drydock makes, and one writes where nothing may be called.
-	const std::set<std::string> Exceptions = {"rdg/Core/FaultHandlers.cpp", "pipeline/Program/EndingSignals.cpp",
+	const std::set<std::string> Exceptions = {"rdg/core/Core/FaultHandlers.cpp", "pipeline/Program/EndingSignals.cpp",
 		"pipeline/Program/ProgressBar.cpp", "pipeline/Program/ProgramOutput.cpp"};
 	const std::regex Direct(
 		"\\b(printf|puts|putchar|perror) ?\\(|\\bstd::(cout|cerr|clog)\\b|"

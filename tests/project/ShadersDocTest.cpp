@@ -26,7 +26,7 @@ std::string ReadDoc()
 TEST(ShadersDoc, NamesEveryInclude)
 {
 	const std::string Doc = ReadDoc();
-	for (const fs::directory_entry& Entry : fs::recursive_directory_iterator(Root / "rdg/Shaders/Engine"))
+	for (const fs::directory_entry& Entry : fs::recursive_directory_iterator(Root / "rdg/graph/Shaders/Engine"))
 	{
 		if (Entry.is_regular_file())
 		{
@@ -38,7 +38,7 @@ TEST(ShadersDoc, NamesEveryInclude)
 TEST(ShadersDoc, NamesNoneThatIsMissing)
 {
 	std::set<std::string> Names;
-	for (const char* const Folder : {"rdg/Shaders/Engine", "passes/Shaders"})
+	for (const char* const Folder : {"rdg/graph/Shaders/Engine", "passes/Shaders"})
 	{
 		for (const fs::directory_entry& Entry : fs::recursive_directory_iterator(Root / Folder))
 		{

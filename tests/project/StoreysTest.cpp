@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <sstream>
 #include <utility>
 
 using namespace Drydock::Test;
@@ -17,57 +16,69 @@ namespace
 /** Lowest first. */
 const std::vector<std::string> GStoreys = {"rdg", "settings", "passes", "pipeline"};
 
-/** The rooms of a storey, lowest first. Those of one step stand side by side: none includes another. */
+/** The rooms of a storey, folders below it, lowest first. Those of one step stand side by side: none includes another.
+ */
 using FSteps = std::vector<std::vector<std::string>>;
 
 const std::map<std::string, FSteps> GRooms = {
-	{"rdg", {{"Core"}, {"Kernel"}, {"RHI"}, {"Lanes"}, {"Spirv"}, {"ShaderCompiler"}, {"Shader"}, {"Graph"},
-				{"Binding"}, {"Inspect"}, {"Vulkan"}, {"GraphUtils"}}},
-	{"passes", {{"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"}, {"Native"}}},
+	{"rdg",
+		{{"core/Core"}, {"core/Kernel"}, {"core/RHI"}, {"graph/Shader"}, {"graph/Graph"}, {"graph/Binding"},
+			{"graph/GraphUtils"}, {"shader/Host"}, {"shader/Lanes"}, {"shader/Spirv/Module"}, {"shader/Spirv/Analyse"},
+			{"shader/Spirv/Read"}, {"shader/Spirv/Emit", "shader/Spirv/Run"}, {"shader/Preprocessor"},
+			{"shader/Glslang"}, {"shader/Compiler"}, {"shader/Lint"}, {"inspect"}, {"vulkan"}}},
+	{"settings", {{"Table"}, {"Blend", "Text"}, {"Final"}}},
+	{"passes", {{"World"}, {"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"},
+				   {"Native"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
 					 {"Frame"}, {"Budget"}, {"Run"},
 					 {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect", "Prove", "Hazards"},
 					 {"Matrix", "Report"}, {"Program"}}},
 };
 
-/** The folders of a path from the root. */
-std::vector<std::string> Split(const std::string& Path)
+/** The storey that a path from the root begins with. */
+std::string GetStorey(const std::string& File)
 {
-	std::vector<std::string> Parts;
-	std::istringstream Stream(Path);
-	for (std::string Part; std::getline(Stream, Part, '/');)
-	{
-		Parts.push_back(Part);
-	}
-	return Parts;
+	return File.substr(0, File.find('/'));
 }
 
 size_t GetStoreyNumber(const std::string& File)
 {
-	return static_cast<size_t>(std::find(GStoreys.begin(), GStoreys.end(), Split(File).at(0)) - GStoreys.begin());
+	return static_cast<size_t>(std::find(GStoreys.begin(), GStoreys.end(), GetStorey(File)) - GStoreys.begin());
 }
 
-/** The step that a file's room stands on; -1 where there is no such room. */
-int GetStep(const FSteps& Steps, const std::string& File)
+struct FPlace
 {
-	const std::string Room = Split(File).at(1);
-	const auto Found = std::find_if(Steps.begin(), Steps.end(),
-		[&Room](const std::vector<std::string>& Step)
-		{ return std::find(Step.begin(), Step.end(), Room) != Step.end(); });
-	return Found == Steps.end() ? -1 : static_cast<int>(Found - Steps.begin());
+	std::string Room; // empty where no room has the file
+	size_t Step = 0;
+};
+
+FPlace FindPlace(const std::string& File)
+{
+	const std::string Storey = GetStorey(File);
+	const FSteps& Steps = GRooms.at(Storey);
+	for (size_t Step = 0; Step < Steps.size(); ++Step)
+	{
+		for (const std::string& Room : Steps[Step])
+		{
+			if (File.starts_with(Storey + "/" + Room + "/"))
+			{
+				return {Room, Step};
+			}
+		}
+	}
+	return {};
 }
 
 /** Whether both lie in one storey that has rooms, and To in no room that From may include. */
 bool GoesUpBetweenRooms(const std::string& From, const std::string& To)
 {
-	const std::vector<std::string> FromParts = Split(From);
-	const std::vector<std::string> ToParts = Split(To);
-	const auto Rooms = GRooms.find(FromParts[0]);
-	if (Rooms == GRooms.end() || ToParts[0] != FromParts[0] || ToParts[1] == FromParts[1])
+	if (!GRooms.count(GetStorey(From)) || GetStorey(To) != GetStorey(From))
 	{
 		return false;
 	}
-	return GetStep(Rooms->second, To) >= GetStep(Rooms->second, From);
+	const FPlace FromPlace = FindPlace(From);
+	const FPlace ToPlace = FindPlace(To);
+	return ToPlace.Room != FromPlace.Room && ToPlace.Step >= FromPlace.Step;
 }
 
 const FSourceTexts& GetSources()
@@ -130,9 +141,9 @@ TEST(Rooms, EveryFileStandsInARoomOfItsStorey)
 {
 	for (const auto& [Path, Text] : GetSources())
 	{
-		if (const auto Rooms = GRooms.find(Split(Path)[0]); Rooms != GRooms.end())
+		if (GRooms.count(GetStorey(Path)))
 		{
-			EXPECT_GE(GetStep(Rooms->second, Path), 0) << Path << " stands in no room of " << Rooms->first;
+			EXPECT_NE("", FindPlace(Path).Room) << Path << " stands in no room of " << GetStorey(Path);
 		}
 	}
 }
@@ -145,6 +156,20 @@ TEST(Rooms, IncludesGoDownOnly)
 		{
 			EXPECT_FALSE(GoesUpBetweenRooms(Include.From, To))
 				<< Include.From << " includes " << To << ", which stands above it or beside it";
+		}
+	}
+}
+
+TEST(Rooms, TheGraphAndTheShaderTierDoNotIncludeEachOther)
+{
+	for (const FInclude& Include : GetIncludes())
+	{
+		for (const std::string& To : Include.To)
+		{
+			EXPECT_FALSE(Include.From.starts_with("rdg/graph/") && To.starts_with("rdg/shader/"))
+				<< Include.From << " " << To;
+			EXPECT_FALSE(Include.From.starts_with("rdg/shader/") && To.starts_with("rdg/graph/"))
+				<< Include.From << " " << To;
 		}
 	}
 }

@@ -6,7 +6,7 @@
 # LOGS/FIRST.log. Exit 0: all agree.
 set -uo pipefail
 export Test Logs
-Test=$(realpath "$1")/bin/test_rdg_ShaderCompiler
+Test=$(realpath "$1")/bin/test_rdg_Compiler
 mkdir -p "$2"
 Logs=$(realpath "$2")
 Count=${3:-10000} First=${4:-0} Processes=${5:-1}

@@ -17,7 +17,7 @@ mkdir -p "$Tree" "$Work/edited"
 (cd "$Source" && cp -a CMakeLists.txt CMakePresets.json rdg settings passes pipeline cmake templates configs "$Tree/")
 find "$Tree/rdg" -name '*.cpp' ! -name 'FrontEnd[CIST]*.cpp' ! -name FrontEndProgram.cpp -delete # the front end is a program
 [ -f "$Work/edited/Reused.cpp" ] || echo '// The library of rdg stands ready.' >"$Work/edited/Reused.cpp"
-cp -p "$Work/edited/Reused.cpp" "$Tree/rdg/Core/Reused.cpp"
+cp -p "$Work/edited/Reused.cpp" "$Tree/rdg/core/Core/Reused.cpp"
 
 # New files, as they stand in the recipes' folders. Posterize's test stays there: it would be built with all of its room.
 for Recipe in Posterize Hello; do

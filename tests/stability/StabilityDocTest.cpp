@@ -71,7 +71,7 @@ so small a one the bloom's kernels reach everywhere.
 constexpr const char* AboutRanges = R"(
 ## Ranges
 
-Settings that span a range, each pair of ends in `settings/PostProcessSettingsTable.h` among them, where the range is empty,
+Settings that span a range, each pair of ends in `settings/Table/PostProcessSettingsTable.h` among them, where the range is empty,
 inverted or far away: in a frame with every effect on the picture is finite, the final one within 0..1, and it has the bits
 of the picture that the last column names (`tests/stability/RangeRows.h`).
 

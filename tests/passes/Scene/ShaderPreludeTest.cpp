@@ -74,7 +74,7 @@ const FImage& CommonProbes()
 TEST(ShaderPrelude, EveryHeaderCompilesAloneInBothStages)
 {
 	namespace fs = std::filesystem;
-	const fs::path Engine = DRYDOCK_TEST_SOURCE_DIR "/rdg/Shaders/Engine";
+	const fs::path Engine = DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine";
 	const fs::path Folder = fs::path(DRYDOCK_TEST_BINARY_DIR) / "PreludeShaders";
 	fs::create_directories(Folder);
 	AddShaderSourceDirectoryMapping(TEXT("/PreludeShaders"), FString(Folder.c_str()));

@@ -15,7 +15,7 @@ namespace
 /** The numbers of `static const float3x3 Name = { ... }` or `static const float3 Name = float3(...)`. */
 std::vector<double> ReadConstants(const std::string& Name)
 {
-	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/rdg/Shaders/Engine/Private/ACES/ACESCommon.ush");
+	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine/Private/ACES/ACESCommon.ush");
 	std::stringstream Stream;
 	Stream << File.rdbuf();
 	const std::string Text = Stream.str();

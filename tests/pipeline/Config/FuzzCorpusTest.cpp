@@ -279,7 +279,7 @@ TEST(FuzzCorpus, EveryFolderIsReplayed)
 	}
 	EXPECT_EQ(Folders, OfFuzzers);
 	const std::set<std::string> Replayed = {"settings", "config", "exr", "image", "spirv", "ini", "text", "state",
-		"graph", // tests/rdg/GraphUtils/GraphCallsTest.cpp
-		"usf"};  // tests/rdg/ShaderCompiler/UsfFuzzCorpusTest.cpp
+		"graph", // tests/rdg/graph/GraphUtils/GraphCallsTest.cpp
+		"usf"};  // tests/rdg/shader/Compiler/UsfFuzzCorpusTest.cpp
 	EXPECT_EQ(Folders, Replayed);
 }

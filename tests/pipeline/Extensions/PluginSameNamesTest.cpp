@@ -103,7 +103,7 @@ TEST(PluginSameNames, ThePluginHasEveryNameThatAnEffectExports)
 	{
 		EXPECT_EQ(1u, Known.count(Name)) << Name;
 	}
-	for (const char* Folder : {"rdg", "settings", "passes/Scene"})
+	for (const char* Folder : {"rdg", "settings", "passes/World", "passes/Scene"})
 	{
 		AddWordsOfHeaders(Folder, Known);
 	}

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ProgramTestUtils.h"
-#include "rdg/Vulkan/VulkanManifests.h"
+#include "rdg/vulkan/VulkanManifests.h"
 
 #include <cmath>
 #include <optional>

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ContentHash.h"
-#include "rdg/Graph/GraphTestBuilder.h"
+#include "rdg/graph/Graph/GraphTestBuilder.h"
 #include "Run/Run.h"
 #include "SameBits.h"
 #include "ScreenPass.h"
@@ -63,12 +63,12 @@ public:
 	FCopiedShaders()
 	{
 		fs::remove_all(Folder);
-		for (const char* const Shaders : {"passes/Shaders", "rdg/Shaders/Engine"})
+		for (const char* const Shaders : {"passes/Shaders", "rdg/graph/Shaders/Engine"})
 		{
 			fs::create_directories(Folder / Shaders);
 			fs::copy(Root + Shaders, Folder / Shaders, fs::copy_options::recursive);
 		}
-		AddShaderSourceDirectoryMapping(TEXT("/Engine"), FString((Folder / "rdg/Shaders/Engine").string()));
+		AddShaderSourceDirectoryMapping(TEXT("/Engine"), FString((Folder / "rdg/graph/Shaders/Engine").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Engine/Private"), FString((Folder / "passes/Shaders").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Project"), FString((Folder / "passes/Shaders").string()));
 		ForgetShaders();
@@ -144,7 +144,7 @@ std::string ShowCombineLUTs()
 const std::map<std::string, std::function<std::string()>> OfItsOwn = {
 	{"passes/Shaders/FourTapBlur.usf", &ShowFourTaps},
 	{"passes/Shaders/PostProcessCombineLUTs.usf", &ShowCombineLUTs},
-	{"rdg/Shaders/Engine/Private/ScreenPass.usf", &ShowDrawnTexture},
+	{"rdg/graph/Shaders/Engine/Private/ScreenPass.usf", &ShowDrawnTexture},
 };
 
 bool HasNote(const FRunResult& Result, const std::string& File)
@@ -183,7 +183,7 @@ TEST(EditedShader, TheTableHasEveryShaderThatShips)
 		Edited.insert(Edit.File);
 		EXPECT_EQ(Edit.Config == "-", OfItsOwn.contains(Edit.File)) << Edit.File;
 	}
-	for (const char* const Folder : {"passes/Shaders", "rdg/Shaders"})
+	for (const char* const Folder : {"passes/Shaders", "rdg/graph/Shaders"})
 	{
 		for (const auto& Entry : fs::recursive_directory_iterator(Root + Folder))
 		{

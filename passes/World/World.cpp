@@ -1,0 +1,164 @@
+// The one world, its actors and its subsystems.
+#include "Engine/World.h"
+
+#include "CodeScope.h"
+#include "GameFramework/Actor.h"
+#include "GameFramework/WorldSettings.h"
+#include "RendererScene.h"
+#include "Subsystems/WorldSubsystem.h"
+
+namespace
+{
+
+/** Never destroyed: static variables of any library may ask for it until the very end. */
+UWorld* MakeWorld()
+{
+	UWorld* const World = new UWorld;
+	Drydock::FSubsystems& Subsystems = Drydock::FSubsystems::Get();
+	Subsystems.SetOuter(Drydock::ESubsystemKind::World, World);
+	Subsystems.SetOuter(Drydock::ESubsystemKind::GameInstance, World->GetGameInstance());
+	return World;
+}
+
+} // namespace
+
+UWorld* GWorld = MakeWorld();
+
+UWorld* UGameInstance::GetWorld() const
+{
+	return GWorld;
+}
+
+UWorld::UWorld()
+	: Scene(new FScene(this))
+	, GameInstance(new UGameInstance)
+	, WorldSettings(new AWorldSettings)
+{
+	SetFName(TEXT("World"));
+}
+
+UWorld::~UWorld()
+{
+	delete Scene;
+	delete GameInstance;
+	delete WorldSettings;
+}
+
+AWorldSettings* UWorld::GetWorldSettings(bool, bool) const
+{
+	return WorldSettings;
+}
+
+void UWorld::AddActor(const std::shared_ptr<AActor>& Actor)
+{
+	Actor->SetOuter(this);
+	Actors.push_back(Actor);
+	Actor->StartPlay();
+}
+
+void UWorld::RemoveActor(const AActor* Actor)
+{
+	std::erase(Placed, Actor);
+	std::erase_if(Actors, [Actor](const std::shared_ptr<AActor>& Other) { return Other.get() == Actor; });
+}
+
+void UWorld::RemovePlacedActors()
+{
+	for (AActor* const Actor : std::exchange(Placed, {}))
+	{
+		Actor->Destroy();
+	}
+}
+
+void UWorld::TickActors()
+{
+	const std::vector<std::shared_ptr<AActor>> Now = Actors; // one that ticks may spawn others
+	for (const std::shared_ptr<AActor>& Actor : Now)
+	{
+		if (Actor->PrimaryActorTick.bCanEverTick && Actor->PrimaryActorTick.IsTickFunctionEnabled())
+		{
+			Drydock::CallCode(Actor->GetCodeOwner(), [&Actor] { Actor->Tick(0.0f); });
+		}
+	}
+}
+
+FSceneInterface::~FSceneInterface() = default;
+
+bool UWorldSubsystem::ShouldCreateSubsystem(UObject* Outer) const
+{
+	const UWorld* const World = Cast<UWorld>(Outer);
+	return World != nullptr && DoesSupportWorldType(World->WorldType);
+}
+
+UWorld* UWorldSubsystem::GetWorld() const
+{
+	return Cast<UWorld>(GetOuter());
+}
+
+bool UWorldSubsystem::DoesSupportWorldType(const EWorldType::Type) const
+{
+	return true;
+}
+
+void UWorldSubsystem::OnCollectionStarted()
+{
+	PostInitialize();
+	OnWorldBeginPlay(*GetWorld());
+}
+
+UWorld* UActorComponent::GetWorld() const
+{
+	return GWorld;
+}
+
+void UActorComponent::RegisterComponent()
+{
+	if (!bRegistered)
+	{
+		bRegistered = true;
+		OnRegister();
+		InitializeComponent();
+	}
+}
+
+void UActorComponent::UnregisterComponent()
+{
+	if (bRegistered)
+	{
+		bRegistered = false;
+		OnUnregister();
+	}
+}
+
+UWorld* AActor::GetWorld() const
+{
+	return GWorld;
+}
+
+void AActor::Destroy()
+{
+	for (UActorComponent* const Component : Components)
+	{
+		Component->EndPlay(EEndPlayReason::Destroyed);
+		Component->UnregisterComponent();
+	}
+	EndPlay(EEndPlayReason::Destroyed);
+	Destroyed();
+	GWorld->RemoveActor(this);
+}
+
+void AActor::StartPlay()
+{
+	Owner = Drydock::MakeCodeOwner("Tick of actor " + std::string(*GetName()));
+	PrimaryActorTick.SetTickFunctionEnable(PrimaryActorTick.bStartWithTickEnabled);
+	PostInitializeComponents();
+	for (UActorComponent* const Component : Components)
+	{
+		Component->RegisterComponent();
+	}
+	for (UActorComponent* const Component : Components)
+	{
+		Component->BeginPlay();
+	}
+	BeginPlay();
+}

@@ -1,0 +1,428 @@
+// Looks at a module, and at the functions that its entry point calls.
+#include "ShaderLint.h"
+
+#include "HlslSymbols.h"
+#include "HlslTokens.h"
+#include "LeftOutStages.h"
+#include "LintAllowances.h"
+#include "SpirvBarriers.h"
+#include "LintLayout.h"
+#include "ShaderFrontEnd.h"
+#include "ShaderMessages.h"
+#include "ShaderSource.h"
+#include "SpirvReflect.h"
+#include "SpirvUniformity.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+
+namespace Drydock
+{
+
+namespace
+{
+
+using namespace Spirv;
+
+class FLinter
+{
+public:
+	FLinter(const FShaderCompileRequest& InRequest, uint8_t InPlatforms)
+		: Request(InRequest)
+		, Platforms(InPlatforms)
+	{
+	}
+
+	std::vector<FLintFinding> Finish()
+	{
+		std::sort(Findings.begin(), Findings.end());
+		Findings.erase(std::unique(Findings.begin(), Findings.end()), Findings.end());
+		return std::move(Findings);
+	}
+
+	void LookAtText(const std::string& Source);
+	/** What can be read of any module, of one too that drydock does not run. */
+	void LookAtWords(const std::vector<uint32_t>& Words);
+	void LookAtModule(const FSpirvModule& Module, const std::string& Source);
+
+private:
+	void Add(const char* Id, const std::string& File, int Line, const std::string& What)
+	{
+		const std::vector<FLintRule>& Rules = GetLintRules();
+		const auto Rule = std::find_if(
+			Rules.begin(), Rules.end(), [Id](const FLintRule& Each) { return std::strcmp(Each.Id, Id) == 0; });
+		if (Rule->Platforms & Platforms)
+		{
+			Findings.push_back({&*Rule, File.empty() ? Request.VirtualPath : File, Line, What});
+		}
+	}
+	void AddAt(const char* Id, const FSpirvModule& Module, const FSpirvInstruction& I, const std::string& What)
+	{
+		Add(Id, Module.Files[I.File], I.Line, What);
+	}
+	/** Where: "/Project/X.usf:9", or empty. */
+	void AddWhere(const char* Id, const std::string& Where, const std::string& What)
+	{
+		const size_t Colon = Where.rfind(':');
+		Add(Id, Where.substr(0, Colon), Colon == std::string::npos ? 0 : std::atoi(Where.c_str() + Colon + 1), What);
+	}
+	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
+		const FSpirvInstruction& I);
+	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
+	void LookAtResources(const FShaderReflection& Reflection);
+	void LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection);
+
+	const FShaderCompileRequest& Request;
+	const uint8_t Platforms;
+	std::vector<FLintFinding> Findings;
+	std::set<std::pair<std::string, int>> PartialStores; // whose reads are drydock's own
+	std::map<uint32_t, uint32_t> Images;                 // a loaded image -> its variable
+	std::set<uint32_t> Stored;                           // variables of images that some instruction writes
+};
+
+void FLinter::LookAtText(const std::string& Source)
+{
+	const FHlslText Text(Source, Request.VirtualPath);
+	std::multimap<std::string, FFunctionText> Functions;
+	for (const FFunctionText& Function : ListFunctionTexts(Text))
+	{
+		Functions.emplace(Text[Function.Name].Text, Function);
+	}
+	static const std::set<std::string> Derivatives = {
+		"ddx", "ddy", "ddx_coarse", "ddy_coarse", "ddx_fine", "ddy_fine", "fwidth"};
+	static const std::set<std::string> Samples = {"Sample", "SampleBias", "SampleCmp", "CalculateLevelOfDetail"};
+	std::vector<std::string> Open = {Request.EntryPoint};
+	std::set<std::string> Seen = {Request.EntryPoint};
+	while (!Open.empty())
+	{
+		const auto [First, Last] = Functions.equal_range(Open.back());
+		Open.pop_back();
+		for (auto Each = First; Each != Last; ++Each)
+		{
+			for (size_t At = Each->second.Body; At < Text.FindClose(Each->second.Body); ++At)
+			{
+				const std::string& Word = Text[At].Text;
+				if (!Text.IsWord(At))
+				{
+					continue;
+				}
+				if (Functions.count(Word) && Seen.insert(Word).second)
+				{
+					Open.push_back(Word);
+				}
+				const std::string& File = Text.Files[Text[At].File];
+				const int Line = Text[At].Line;
+				const bool bMember = Text.Is(At - 1, ".");
+				if (Word == GPartOfTexel && PartialStores.insert({File, Line}).second)
+				{
+					Add("partial-uav-store", File, Line, "");
+				}
+				if (Request.Stage == EShaderStage::Compute && Text.Is(At + 1, "(") &&
+					(bMember ? Samples.count(Word) : Derivatives.count(Word) && !Functions.count(Word)))
+				{
+					Add("derivative-compute", File, Line, Word);
+				}
+			}
+		}
+	}
+}
+
+void FLinter::LookAtWords(const std::vector<uint32_t>& Words)
+{
+	static const std::map<uint32_t, const char*> Capabilities = {{9, "types-16"}, {10, "double"}, {11, "int64"},
+		{12, "atomics-64"}, {22, "types-16"}, {4433, "types-16"}, {4434, "types-16"}};
+	constexpr uint32_t LocalSize = 17;
+	for (size_t At = HeaderWords; At < Words.size();)
+	{
+		const uint32_t Op = Words[At] & 0xFFFF;
+		const size_t Size = std::max(1u, Words[At] >> 16);
+		if (Op == OpCapability && At + 1 < Words.size() && Capabilities.count(Words[At + 1]))
+		{
+			Add(Capabilities.at(Words[At + 1]), {}, 0, "");
+		}
+		else if (Op == OpExecutionMode && At + 5 < Words.size() && Words[At + 2] == LocalSize)
+		{
+			LookAtGroup(Words[At + 3], Words[At + 4], Words[At + 5]);
+		}
+		At += Size;
+	}
+}
+
+void FLinter::LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z)
+{
+	const uint64_t Threads = uint64_t(X) * Y * Z;
+	const std::string What = std::to_string(X) + " x " + std::to_string(Y) + " x " + std::to_string(Z) + " threads";
+	if (Threads > 1024 || Z > 64)
+	{
+		Add("threads-1024", {}, 0, What);
+	}
+	else if (Threads > 512)
+	{
+		Add("threads-512", {}, 0, What);
+	}
+}
+
+void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity,
+	const FSpirvBlock& Block, const FSpirvInstruction& I)
+{
+	constexpr uint32_t SinglePrecisionFormats[] = {3, 24, 33}; // R32f, R32i, R32ui
+	const bool bPixel = Request.Stage == EShaderStage::Pixel;
+	if (IsSpirvWave(I.Op))
+	{
+		AddAt("wave-operations", Module, I, "");
+	}
+	else if (I.Op == OpImageTexelPointer)
+	{
+		AddAt("atomics-texture", Module, I, "");
+	}
+	else if (I.Op == OpArrayLength)
+	{
+		AddAt("buffer-length", Module, I, "");
+	}
+	else if (I.Op == OpImageQuerySize && Module.GetValueType(I.Operands.at(0)).bStorageImage &&
+			 Module.GetValueType(I.Operands.at(0)).Dim != DimBuffer)
+	{
+		AddAt("uav-size", Module, I, "");
+	}
+	else if (I.Op == OpImageRead)
+	{
+		const FSpirvType& Image = Module.GetValueType(I.Operands.at(0));
+		const bool bSingle = std::find(std::begin(SinglePrecisionFormats), std::end(SinglePrecisionFormats),
+								 Image.Format) != std::end(SinglePrecisionFormats);
+		const bool bOwn = PartialStores.count({Module.Files[I.File], I.Line}) != 0;
+		if (Image.bStorageImage && !bSingle && !bOwn)
+		{
+			AddAt("typed-uav-load", Module, I, "");
+			AddAt("typed-uav-load-optional", Module, I, "");
+			const auto Variable = Images.find(I.Operands.at(0));
+			if (Image.Dim != DimBuffer && Variable != Images.end() && Stored.count(Variable->second) != 0)
+			{
+				AddAt("texture-read-write", Module, I, "");
+			}
+		}
+	}
+	else if (I.Op == OpImageQueryLevels)
+	{
+		AddAt("texture-levels", Module, I, "");
+	}
+	else if ((I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleExplicitLod) &&
+			 Module.GetScalarKind(I.Type, 0) != ESpirvType::Float)
+	{
+		AddAt("integer-sample", Module, I, "");
+	}
+	else if (bPixel &&
+			 (I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleDrefImplicitLod ||
+				 (I.Op >= OpDPdx && I.Op <= OpFwidthCoarse)) &&
+			 Uniformity.IsDivergentBlock(Block.Label))
+	{
+		AddAt("derivative-divergent", Module, I, "");
+	}
+}
+
+void FLinter::LookAtResources(const FShaderReflection& Reflection)
+{
+	const auto Count = [this](const char* Id, const std::vector<FShaderResource>& A,
+						   const std::vector<FShaderResource>& B, size_t Most, const char* Things)
+	{
+		const size_t Num = A.size() + B.size();
+		if (Num > Most)
+		{
+			AddWhere(Id, (Most < A.size() ? A[Most] : B[Most - A.size()]).Where, std::to_string(Num) + " " + Things);
+		}
+	};
+	Count("sampler-count", Reflection.Samplers, {}, 16, "samplers");
+	std::vector<FShaderResource> RWBuffers;
+	for (const FShaderResource& Buffer : Reflection.RWBuffers)
+	{
+		if (Buffer.CounterOf.empty())
+		{
+			RWBuffers.push_back(Buffer);
+		}
+		else
+		{
+			AddWhere("hidden-counter", Buffer.Where, Buffer.CounterOf);
+		}
+	}
+	Count("uav-count", Reflection.RWTextures, RWBuffers, 8, "UAVs");
+	Count("texture-count", Reflection.Textures, Reflection.RWTextures, 31, "textures");
+	for (const FShaderConstantBuffer& Buffer : Reflection.ConstantBuffers)
+	{
+		if (Buffer.Size > 4096 * 16)
+		{
+			Add("constant-buffer-size", {}, 0, Buffer.Name + " has " + std::to_string(Buffer.Size) + " bytes");
+		}
+	}
+	for (const auto* Buffers : {&Reflection.Buffers, &Reflection.RWBuffers})
+	{
+		for (const FShaderResource& Buffer : *Buffers)
+		{
+			if (Buffer.Dimension == EShaderDimension::StructuredBuffer && Buffer.Stride > 2048)
+			{
+				AddWhere("structure-stride", Buffer.Where,
+					Buffer.Name + " has elements of " + std::to_string(Buffer.Stride) + " bytes");
+			}
+		}
+	}
+	if (Reflection.Stage == EShaderStage::Pixel && Reflection.NumTargets > 4)
+	{
+		Add("render-targets", {}, 0, std::to_string(Reflection.NumTargets) + " targets");
+	}
+}
+
+void FLinter::LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection)
+{
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const FSpirvType& Type = Module.GetType(Variable.Type);
+		if (!Type.bBufferBlock || Type.Members.empty())
+		{
+			continue;
+		}
+		const FSpirvType& Elements = Module.GetType(Type.Members[0].Type);
+		FStd430 Element;
+		const bool bAlike = Elements.Kind != ESpirvType::RuntimeArray ||
+							(LiesAlike(Module, Elements.Element, Element) &&
+								RoundUp(Element.Size, Element.Alignment) == Elements.ArrayStride);
+		for (const auto* Buffers : {&Reflection.Buffers, &Reflection.RWBuffers})
+		{
+			for (const FShaderResource& Buffer : *Buffers)
+			{
+				if (!bAlike && Buffer.Name == Variable.Name && Buffer.Dimension == EShaderDimension::StructuredBuffer)
+				{
+					AddWhere("float3-layout", Buffer.Where,
+						Buffer.Name + ": an element has " + std::to_string(Buffer.Stride) + " bytes in Direct3D, " +
+							std::to_string(RoundUp(Element.Size, Element.Alignment)) + " by std430");
+				}
+			}
+		}
+	}
+}
+
+void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source)
+{
+	const FSpirvStructure Structure = BuildSpirvStructure(Module);
+	const FSpirvUniformity Uniformity = AnalyzeUniformity(Module, Structure);
+	uint32_t SharedBytes = 0;
+	for (const FSpirvVariable& Variable : Module.Variables)
+	{
+		const uint32_t NumScalars = Module.GetType(Variable.Type).NumScalars;
+		for (uint32_t i = 0; Variable.Storage == StorageWorkgroup && i < NumScalars; ++i)
+		{
+			SharedBytes += GetSpirvBytes(Module.GetScalarKind(Variable.Type, i));
+		}
+	}
+	if (SharedBytes > 16352)
+	{
+		Add("groupshared-16k", {}, 0, std::to_string(SharedBytes) + " bytes");
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			if (I.Op == OpLoad && Module.GetValueType(I.Result).Kind == ESpirvType::Image)
+			{
+				Images[I.Result] = I.Operands.at(0);
+			}
+			else if (I.Op == OpImageWrite)
+			{
+				Stored.insert(Images[I.Operands.at(0)]);
+			}
+		}
+	}
+	for (const FDivergentBarrier& Each : FindDivergentBarriers(Module, Structure, Uniformity))
+	{
+		AddAt("barrier-divergent", Module, *Each.Barrier,
+			Each.Parting->Line ? "threads part in line " + std::to_string(Each.Parting->Line) : std::string());
+	}
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			LookAtInstruction(Module, Uniformity, Block, I);
+		}
+	}
+	const FShaderReflection Reflection = ReflectSpirv(Module, Structure, Source).Reflection;
+	LookAtResources(Reflection);
+	LookAtLayout(Module, Reflection);
+}
+
+} // namespace
+
+std::vector<FLintFinding> LintSpirv(const std::vector<uint32_t>& Words, const std::string& Text,
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
+{
+	FLinter Linter(Request, Platforms);
+	Linter.LookAtText(Text);
+	Linter.LookAtWords(Words);
+	try
+	{
+		Linter.LookAtModule(ReadSpirv(Words), Text);
+	}
+	catch (const FSpirvError& Error)
+	{
+		if (Refused)
+		{
+			Refused->push_back({ESeverity::Warning, 6020,
+				std::string("not looked at beyond its text, for drydock does not run it: ") + Error.what(),
+				Error.File.empty() ? Request.VirtualPath : Error.File, Error.Line, 0, {}});
+		}
+	}
+	return Linter.Finish();
+}
+
+namespace
+{
+
+std::vector<FLintFinding> LintSource(const FShaderSource& Source, const FShaderCompileRequest& Request,
+	uint8_t Platforms, std::vector<FDiagnostic>* Refused)
+{
+	std::vector<FLintFinding> Findings =
+		LintSpirv(CompileToSpirv(Source, Request), Source.Text, Request, Platforms, Refused);
+	FLintAllowances Allowances(Request);
+	std::erase_if(Findings, [&Allowances](const FLintFinding& Finding)
+		{ return Allowances.Allows(Finding.Rule->Id, Finding.File, Finding.Line); });
+	return Findings;
+}
+
+} // namespace
+
+std::vector<FLintFinding> LintShader(
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
+{
+	try
+	{
+		return LintSource(FlattenShader(Request), Request, Platforms, Refused);
+	}
+	catch (const FError& Error)
+	{
+		throw ExplainShaderErrors(Error, Request);
+	}
+}
+
+std::vector<FLintFinding> FFileLinter::Lint(
+	const FShaderCompileRequest& Request, uint8_t Platforms, std::vector<FDiagnostic>* Refused)
+{
+	try
+	{
+		std::unique_ptr<FEntryTexts>& Texts = ByStage[Request.Stage];
+		if (!Texts)
+		{
+			Texts = std::make_unique<FEntryTexts>(Request);
+		}
+		const FShaderSource Source = {
+			.Text = Texts->GetText(Request.EntryPoint), .Files = {}, .Strings = {}, .Fingerprint = {}};
+		if (!Source.Text.empty() && !FindLeftOutEntry(Source.Text, Request))
+		{
+			return LintSource(Source, Request, Platforms, Refused);
+		}
+	}
+	catch (const FError&)
+	{
+		// The whole text has all messages.
+	}
+	return LintShader(Request, Platforms, Refused);
+}
+
+} // namespace Drydock
