@@ -11,6 +11,7 @@
 #include "RHIResources.h"
 #include "ShaderBinding.h"
 #include "ShaderCompilation.h"
+#include "ShaderDirectories.h"
 #include "ShaderTypes.h"
 
 namespace
