@@ -43,7 +43,7 @@ def code_sentences(text, line_mark):
     """The comments and the texts in quotes of a source file."""
     block = []
     for line in text.split("\n"):
-        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?!/)|" + line_mark + r")\s?(.*)", line)
+        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?=\s)|" + line_mark + r")\s?(.*)", line)
         if found:
             begins = re.match(r"\s*/\*\*", line)
             if begins and block:
