@@ -1,4 +1,4 @@
-// What the page is made of, and its keys, in two boxes that open on request.
+// Shows the parts of the page, and its keys, in two boxes that open on request.
 import { el } from "../dom";
 import { bytes, time } from "../format";
 

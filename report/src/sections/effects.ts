@@ -1,4 +1,4 @@
-// What ran and what did not, why, and what that saved.
+// Shows which effects ran and which did not, why, and what that saved.
 import { Effect, Report } from "../data";
 import { el, section, table } from "../dom";
 import { bytes, ms } from "../format";
