@@ -29,7 +29,7 @@ export interface PictureOptions {
 /** How the lists of pictures are parted. */
 const groups: [string, PictureData["role"][]][] = [
 	["Frame", ["final", "scene", "previous"]], ["Dumped passes", ["dump"]], ["Thumbnails", ["thumbnail"]], ["A", ["a"]], ["B", ["b"]],
-	["Where they differ", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
+	["Differences", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
 ];
 
 /** Marks that tell pictures of one name apart in the strip. */
