@@ -1,6 +1,6 @@
 # Reads more from a plugin's headers than its classes: fields marked UPROPERTY, and enums marked UENUM. They become the
-# code that registers them (rdg/core/Core/UObject/Reflection.h). Fields that it does not understand are left out: no
-# config can set them.
+# code that registers them (rdg/core/Core/UObject/Reflection.h). Fields of other types are left out: no config can set
+# them.
 
 string(ASCII 1 _DrydockSemicolon)
 string(ASCII 2 _DrydockOpen)

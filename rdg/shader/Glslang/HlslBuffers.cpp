@@ -88,7 +88,7 @@ private:
 		return bWords ? 4 : bLong ? 8 : bShort ? 2 : 0;
 	}
 
-	/** Bytes of the widest scalar in a type, which the type begins and ends on in memory. */
+	/** Bytes of the widest scalar in a type: the type begins and ends at a multiple of them. */
 	uint32_t GetAlignment(const std::string& Type, int Depth) const
 	{
 		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type);

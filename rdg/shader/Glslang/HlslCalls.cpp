@@ -114,7 +114,7 @@ private:
 		Edits.Insert(Close + 2, "}");
 	}
 
-	/** Rewrites a comparison of a vector or matrix: it compares each part by itself. */
+	/** Rewrites WaveActiveAllEqual of a vector or matrix, which compares each part by itself. */
 	void CompareParts(size_t At)
 	{
 		const std::optional<FHlslNumeric> Of = ParseHlslNumeric(Symbols.GetType(At + 2, Text.FindClose(At + 1)));
