@@ -49,7 +49,7 @@ def comments(text, line_mark):
     """The comments of a source file, by block."""
     block = []
     for line in text.split("\n"):
-        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?=\s)|" + line_mark + r")\s?(.*)", line)
+        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?=\s|$)|" + line_mark + r")\s?(.*)", line)
         if found:
             begins = re.match(r"\s*/\*\*", line)
             if begins and block:
