@@ -56,9 +56,9 @@ function(_drydock_plugin_folder Source ShaderFolder OutVariable)
 	endif()
 endfunction()
 
-# What Unreal's header tool does, as far as there is something to say here: for each UCLASS and USTRUCT of Header, which is
-# of Module, its Super and ThisClass at the line of GENERATED_BODY, and a NAME.gen.cpp that registers classes, fields and
-# enums; OutMade says whether there is anything to register.
+# Does the part of Unreal's header tool that drydock needs, for Header, which is of Module: each UCLASS and USTRUCT gets
+# its Super and ThisClass at the line of GENERATED_BODY, and a NAME.gen.cpp registers classes, fields and enums. OutMade
+# is set if there is anything to register.
 function(_drydock_generate_header Header GeneratedFolder Name Module OutMade)
 	file(READ "${Header}" Text)
 	string(MAKE_C_IDENTIFIER "FID_${Name}_h" FileId)
@@ -142,8 +142,8 @@ namespace
 	endif()
 endfunction()
 
-# What _drydock_glob_plugin finds of a plugin that does not list its files: in OutSources and OutShaders the files, in
-# OutModules the folders of its modules.
+# Finds what a plugin that does not list its files consists of (_drydock_glob_plugin): its files in OutSources and
+# OutShaders, the folders of its modules in OutModules.
 function(_drydock_find_plugin_files Name Folder Excludes OutSources OutShaders OutModules)
 	if(NOT IS_DIRECTORY "${Folder}")
 		message(FATAL_ERROR "drydock_add_plugin(${Name}): there is no folder ${Folder}")
@@ -359,7 +359,7 @@ function(drydock_add_plugin Name)
 			set(HeaderModule "${CMAKE_MATCH_1}")
 		endif()
 		_drydock_generate_header("${Header}" "${GeneratedFolder}" "${GeneratedName}" "${HeaderModule}" bMade)
-		# What its .cpp file defines is not there where that is left out.
+		# Nothing is registered for a header whose .cpp file is left out: the .cpp file's definitions are missing.
 		cmake_path(GET Header STEM HeaderStem)
 		foreach(Source IN LISTS OwnSources)
 			if(Source MATCHES "/${HeaderStem}[.]cpp$" AND NOT Source IN_LIST SourceFiles)

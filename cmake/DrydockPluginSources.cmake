@@ -1,9 +1,10 @@
-# What belongs to a plugin, found as the engine's build tool finds it: modules by NAME.uplugin and MODULE.Build.cs, the
-# sources below a module's folder, shaders below Shaders. What only the editor can compile is left out, with a line.
+# Finds a plugin's files as the engine's build tool finds them: modules by NAME.uplugin and MODULE.Build.cs, the sources
+# below a module's folder, shaders below Shaders. Files that only the editor can compile are left out, and a line names
+# them.
 
 include("${CMAKE_CURRENT_LIST_DIR}/DrydockMadeFiles.cmake")
 
-# Modules of these types are no part of a game.
+# Modules of these types are not part of a game.
 set(_DrydockToolModuleTypes Editor EditorNoCommandlet EditorAndProgram UncookedOnly Developer DeveloperTool Program)
 
 # Headers of the editor's and of the user interface's modules, of which drydock has none.
@@ -126,7 +127,7 @@ function(_drydock_is_excluded File Folder Patterns OutVariable)
 	endforeach()
 endfunction()
 
-# All files of kinds (globs) below Folder that are no leftovers of the engine's own build.
+# Lists all files of kinds (globs) below Folder, except leftovers of the engine's own build.
 function(_drydock_glob_plugin Folder OutFiles)
 	set(Globs ${ARGN})
 	list(TRANSFORM Globs PREPEND "${Folder}/")
@@ -212,7 +213,7 @@ function(_drydock_read_build_file ModuleFolder PluginFolder OutFolders OutDefini
 	set(${OutDefinitions} "${Definitions}" PARENT_SCOPE)
 endfunction()
 
-# Of Files those that somebody without the editor can compile, in OutKept; a file that includes one that is left out is
+# Puts those of Files that can be compiled without the editor into OutKept. A file that includes one that is left out is
 # left out too. Sources that are left out are named, unless Name is empty.
 function(_drydock_leave_out_tools Name Folder OutKept)
 	set(Left "")

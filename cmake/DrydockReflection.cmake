@@ -1,6 +1,6 @@
-# What drydock_add_plugin reads from a plugin's headers beside its classes: fields marked UPROPERTY, and enums marked UENUM,
-# as the code that registers them (rdg/core/Core/UObject/Reflection.h). What it does not understand it leaves out: such a field
-# is one that no config can give.
+# Reads more from a plugin's headers than its classes: fields marked UPROPERTY, and enums marked UENUM. They become the
+# code that registers them (rdg/core/Core/UObject/Reflection.h). Fields of other types are left out: no config can set
+# them.
 
 string(ASCII 1 _DrydockSemicolon)
 string(ASCII 2 _DrydockOpen)

@@ -25,7 +25,7 @@ TAutoConsoleVariable<float> CVarBloomScreenPercentage(TEXT("r.Bloom.ScreenPercen
 	TEXT("Resolution of FFT bloom in percent of the view's, 10 to 100 (default)."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 
-/** What the engine's transforms can hold of a line. */
+/** The longest line that the engine's transforms can hold. */
 constexpr int32 MaxScanLineLength = 4096;
 
 constexpr const char* DefaultKernel = "Builtin/Airy";
@@ -162,7 +162,7 @@ FScreenPassTexture AddPreFilterPass(
 	return FScreenPassTexture(Output);
 }
 
-/** What multiplies a channel of the scene colour, and of the spectra's product. */
+/** Factors of one channel: of the scene colour, and of the spectra's product. */
 struct FApplyConstants
 {
 	double SceneColor = 1.0;

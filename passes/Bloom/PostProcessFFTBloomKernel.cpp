@@ -128,7 +128,7 @@ bool IsCenter(const FVector4f& Center, int32 X, int32 Y)
 	return Center.X == static_cast<float>(X) && Center.Y == static_cast<float>(Y);
 }
 
-/** Of the texels beside the centre. */
+/** Largest value of each channel beside the centre. */
 FVector4f FindMaxScatter(FRHITexture& Kernel, const FVector4f& Center)
 {
 	FKernelColor Largest = {};
@@ -143,7 +143,7 @@ FVector4f FindMaxScatter(FRHITexture& Kernel, const FVector4f& Center)
 	return FVector4f(Largest[0], Largest[1], Largest[2], 0.0f);
 }
 
-/** Of the centre, or of all others. */
+/** Sums the centre, or all other texels. */
 FVector4f SumEnergy(FRHITexture& Kernel, const FVector4f& Center, bool bOfCenter)
 {
 	std::array<double, 3> Sum = {};

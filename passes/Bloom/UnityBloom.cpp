@@ -28,7 +28,7 @@ TAutoConsoleVariable<int32> CVarUnityBloomInsertion(TEXT("r.UnityBloom.Insertion
 	TEXT("0: before the tonemapper, on linear light (default). 1: after it, on the display-encoded picture."),
 	ECVF_RenderThreadSafe);
 
-/** Of the texels at 0, 1 and 2 times the spread. */
+/** Weights of the texels at 0, 1 and 2 times the spread. */
 constexpr float PrintedWeights[] = {0.4026f, 0.2442f, 0.0545f};
 constexpr float SumOfPrintedWeights = PrintedWeights[0] + 2.0f * (PrintedWeights[1] + PrintedWeights[2]);
 

@@ -1,4 +1,4 @@
-// Sums, signs and symmetry of a blur's weights, and what is said of faulty ones.
+// Sums, signs and symmetry of a blur's weights, and the message about faulty ones.
 #include "Blur/KernelAudit.h"
 
 #include "Blur/KernelAuditErrors.h"

@@ -26,7 +26,7 @@ namespace
 
 using namespace Drydock;
 
-/** What lies outside the filter's rect. */
+/** How texels outside the filter's rect are addressed. */
 enum class EGaussianBlurAddress : uint8
 {
 	Black,

@@ -37,7 +37,7 @@ public:
 	}
 };
 
-/** What both ways of metering share. */
+/** Parameters of both ways of metering. */
 BEGIN_SHADER_PARAMETER_STRUCT(FAdaptationParameters, )
 	SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, EyeAdaptation)
 	SHADER_PARAMETER(FVector4f, AverageLocalContrastAndThreshold)

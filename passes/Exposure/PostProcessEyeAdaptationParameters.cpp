@@ -14,8 +14,8 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarEyeAdaptationQuality(TEXT("r.EyeAdaptationQuality"), 2,
-	TEXT("Where view.exposure is \"auto\". 0: exposure scale 1. 1: basic metering in place of the histogram. 2: as the "
-		 "settings say (default)."),
+	TEXT("Metering while view.exposure is \"auto\". 0: exposure scale 1. 1: basic metering in place of the histogram. "
+		 "2: as the settings say (default)."),
 	ECVF_Scalability | ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarMethodOverride(TEXT("r.EyeAdaptation.MethodOverride"), -1,
@@ -57,7 +57,7 @@ float ComputeExponentialM(float Speed, float StartDistance)
 	return FrameTime / ((1.0f - std::exp2(-FrameTime * Positive)) * (StartDistance / Positive));
 }
 
-/** Of the last frame, scene units; 0 where there is none. */
+/** The last frame's average, in scene units; 0 without a last frame. */
 float GetLastAverageLuminance(const FViewInfo& View)
 {
 	if (View.ViewState == nullptr)

@@ -50,7 +50,7 @@ public:
 IMPLEMENT_GLOBAL_SHADER(
 	FSetupLogLuminancePS, "/Engine/Private/PostProcessLocalExposure.usf", "SetupLogLuminancePS", SF_Pixel);
 
-/** What the cells of a grid are made of. */
+/** The inputs that the cells of a grid are made of. */
 struct FBilateralGridWork
 {
 	FIntRect Rect; // of the input

@@ -38,7 +38,7 @@ struct FBokehSamples
 {
 	/** From the centre outwards: offset in spacings, and its distance as the bokeh measures it. */
 	std::vector<FVector4f> Samples;
-	/** Of a bokeh of radius i / GReachSteps spacings: how many samples it reaches, those on its edge in part. */
+	/** Element i: how many samples a bokeh of radius i / GReachSteps spacings reaches, those on its edge in part. */
 	std::vector<float> ReachSums;
 };
 

@@ -37,7 +37,7 @@ int32 GetMaxSamples(EMotionBlurQuality Quality)
 	return 4 << static_cast<uint32>(Quality);
 }
 
-/** What the four passes share; each reads what it needs. */
+/** The state that the four passes share; each reads what it needs. */
 class FMotionBlurPasses
 {
 public:

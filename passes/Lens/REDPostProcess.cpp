@@ -35,9 +35,8 @@ TAutoConsoleVariable<int32> CVarREDQuarterResolution(TEXT("r.RED.QuarterResoluti
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarREDPostprocessAfterTranslucency(TEXT("r.REDPostprocessAfterTranslucency"), 0,
-	TEXT("Where the RED post process runs. 0: before separate translucency (default). 1: after it. 2: after bloom, "
-		 "which "
-		 "is then composited before it."),
+	TEXT("Place of the RED post process. 0: before separate translucency (default). 1: after it. 2: after bloom, "
+		 "which is then composited before it."),
 	ECVF_RenderThreadSafe);
 
 /** The article's table, and the half kernel of its comment, which begins in the middle. */
@@ -169,7 +168,7 @@ public:
 	{
 	}
 
-	/** What a pass of the chain combines its picture with. */
+	/** The texture that a pass of the chain combines its picture with. */
 	FScreenPassTexture GetFor(EREDPostProcessPass Pass)
 	{
 		// As printed the diffusion filter's extract comes after the blur.

@@ -19,7 +19,7 @@ FParameterSpec Positive(const char* Name, double Default, const char* Doc)
 	return FParameterSpec::Number(Name, Default, 0, 1000, Doc);
 }
 
-/** What all passes share; Read: the pass's own parameters. */
+/** Makes what the factories of all passes share. Read reads the pass's own parameters. */
 FPassFactory MakeFactory(EREDPostProcessPass Pass, const char* Doc, std::vector<FParameterSpec> Parameters,
 	bool bReadsBlurred, void (*Read)(const FParameterValues&, FREDPostProcessParameters&))
 {

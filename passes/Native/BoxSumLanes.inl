@@ -38,7 +38,7 @@ struct TBoxSum
 #endif
 	}
 
-	/** What of a strip lies in the rect: Count texels from Row on, Before texels after the strip's begin. */
+	/** The part of a strip that lies in the rect: Count texels from Row on, Before texels after the strip's begin. */
 	struct FRun
 	{
 		const uint8_t* Row;

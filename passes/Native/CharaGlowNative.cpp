@@ -65,7 +65,7 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 		return;
 	}
 	const FIntPoint ToSource = FIntPoint(Sum.RectMin[0], Sum.RectMin[1]) - FIntPoint(Parameters.Output.ViewportMin);
-	// Of the groups that are left, the columns that are not: the same of them in tiles of any size.
+	// Groups that are left are tried again in parts. The parts are the same in tiles of any size.
 	const uint64 Left = RunBox(Sum, *Target.Texture, Tile, ToSource);
 	for (int32 Y = Tile.MinY, Group = 0; Y < Tile.MaxY && (Left >> Group) != 0; Y += GRowsOfBoxGroup, ++Group)
 	{

@@ -1,6 +1,6 @@
-// Samples textures for the native kernels of screen shaders: textures whose u depends on a pixel's column alone and
-// whose v on its row alone, so that places and weights are found once for a tile. No standard header is included: the
-// kernels' files are built for instruction sets that the linker must not mix up.
+// Samples textures for the native kernels of screen shaders: u depends on a pixel's column alone, v on its row alone.
+// Places and weights are found once for a tile. No standard header is included: the kernels' files are built for
+// instruction sets that the linker must not mix up.
 #pragma once
 
 #include "ShaderKernel.h"

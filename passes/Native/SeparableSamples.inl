@@ -83,7 +83,7 @@ enum class EPackTexels : uint8_t
 	Scattered,
 };
 
-/** Where the columns of a tile fall along the rows of a texture. */
+/** The places of a tile's columns along the rows of a texture. */
 template<int N>
 struct TSampleColumns
 {

@@ -29,7 +29,7 @@ class TTapLines
 {
 	using FFloat = TRaw<float, N>;
 
-	/** What whole vectors read and write beyond a row. */
+	/** Floats that whole vectors may read and write beyond a row. */
 	static constexpr int32_t Beside = 8 * N;
 	static constexpr int32_t NoRow = -(1 << 30);
 	/** Vectors that are summed side by side. */
@@ -438,7 +438,7 @@ private:
 	int32_t MixedPlace = NoRow;
 	float* LineTexels = nullptr;
 	float* Sums = nullptr;
-	/** What the slots of LineTexels hold, and the last row of the tile that used it. */
+	/** The line that a slot of LineTexels holds, and the last row of the tile that used it. */
 	struct FLine
 	{
 		int32_t Columns = -1;
@@ -458,7 +458,7 @@ template<int N>
 inline bool SumTapLines(const FTapSum& Sum, const FSourcePlan& Plan, const FKernelTexture& Target,
 	const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY)
 {
-	// What a row of pixels reads and keeps stays in the first cache.
+	// All that a row of pixels reads and keeps stays in the first cache.
 	constexpr int32_t MostTexels = 256;
 	const int32_t Width = Tile.MaxX - Tile.MinX;
 	const int32_t Chunk = Plan.Step == 512 ? MostTexels / 2 : Width;

@@ -16,7 +16,7 @@ namespace
 
 constexpr std::align_val_t Alignment{64};
 
-/** Zeros at first, so that what is read beside a row is no NaN by chance. */
+/** Zeros at first, so that no value read beside a row is a NaN by chance. */
 class FTapMemory
 {
 public:

@@ -21,7 +21,7 @@ namespace Drydock
  *      v = floor(v * Steps + 0.5) / Steps       where Steps is not 0
  *      UV = clamp((clamp(v, Min, Max) + Second) * ToUV, MinUV, MaxUV)
  *
- * What a shader does not do keeps its value of here, which changes nothing. */
+ * A step that a shader lacks keeps its value of here, which changes nothing. */
 struct FTapAxis
 {
 	float Origin = 0.0f;

@@ -13,7 +13,7 @@ inline namespace DRYDOCK_LANES_SET
 {
 
 /** A tap of one row: lane i is A[i], or, where Weight is not 0, A[i] mixed with B[i]; outside Begin and End A[i] alone.
- *  Of the first channel; the others follow a stride apart. */
+ * The pointers are the first channel's; the other channels follow a stride apart. */
 struct FTapRow
 {
 	const float* A;
@@ -272,7 +272,7 @@ private:
 		return TTexelRows<N>(Plan, Channels, Lowest, Highest + 2 - Lowest);
 	}
 
-	/** Of every Streams-th pixel from Stream on. */
+	/** The texels for every Streams-th pixel from Stream on. */
 	FTapRow FindTexels(const FTapPlan& Tap, int32_t Row, int32_t Stream, int32_t Streams)
 	{
 		const int32_t Pixel = First + Stream;
@@ -395,7 +395,7 @@ inline bool SumTile(
 	}
 
 	const int32_t Chunk = ChooseChunk(Plans[0], Channels, Width);
-	// What two streams write in whole packs.
+	// Floats of a channel's row: two streams write whole packs.
 	const int32_t Pitch = RoundUpTo(Chunk, 2 * N) + GTapGroup * N;
 	const size_t RowFloats = size_t(Channels) * size_t(Pitch);
 	const int32_t KeptRows = RoundUpTo(Height, GRowsOfTapBlock);
@@ -420,7 +420,7 @@ inline bool SumTile(
 			const bool bLast = Index + 1 == Sum.NumSources;
 			for (int32_t Row = 0; Row < Height; ++Row)
 			{
-				// What the next source is added to has to be kept.
+				// All rows are kept if another source is added to them.
 				float* const RowSums = Sums + size_t(Sum.NumSources == 1 ? Row % GRowsOfTapBlock : Row) * RowFloats;
 				if (!Plans[Index].bInBlocks || Row >= Height / GRowsOfTapBlock * GRowsOfTapBlock)
 				{

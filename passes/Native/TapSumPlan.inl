@@ -1,4 +1,4 @@
-// Where the taps of a sum fall for the pixels of a tile: in step with them along a row, or each pixel by itself.
+// Finds the places of a sum's taps for the pixels of a tile: in step with them along a row, or each pixel by itself.
 // Included by TapSumLanes.inl only.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** What the thread's memories hold. */
+/** The thread's memories, by their contents. */
 enum ETapMemory : int32_t
 {
 	PlacesMemory,

@@ -272,8 +272,8 @@ struct TMixedRows
 	float* Mixed;
 	int32_t* Places;
 
-	/** Of few taps, those of one row ask for what those of the last did. A place found stays until the row is done:
-	 *  at most LookBack + NumTaps are newer. */
+	/** If there are few taps, those of one row ask for the places of the last row. A place found stays until the row is
+	 * done: at most LookBack + NumTaps are newer. */
 	TMixedRows(TTexelRows<N>& InRows, int32_t NumTaps)
 		: Rows(InRows)
 		, LookBack(NumTaps <= FewTaps ? 16 : 1)

@@ -101,7 +101,7 @@ struct TTexelSum
 		const size_t Floats = size_t(Width) * C + Group;
 		// A group begun at the last texel, and a whole step of the decoder, may reach beyond.
 		const int32_t StripFloats = (Count * C + Group + 5 * N) / N * N;
-		// Of few taps the copies cost more than loads that cross lines.
+		// For few taps the copies cost more than loads that cross lines.
 		constexpr int32_t ManyTaps = 16;
 		const bool bShifted = Shifts > 1 && NumTaps >= ManyTaps;
 		const int32_t Pitch = bShifted ? StripFloats : 0;

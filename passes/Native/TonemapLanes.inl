@@ -288,7 +288,7 @@ private:
 		return Max(Mix(FLanes(1.0f), Grain, Intensity), FLanes(0.0f));
 	}
 
-	/** What places in the table are made with, the same for all pixels. */
+	/** Factors that places in the table are made with, the same for all pixels. */
 	struct FTableScale
 	{
 		explicit FTableScale(const FTonemapJob& Job)
@@ -311,7 +311,7 @@ private:
 		int32_t Rows;
 	};
 
-	/** Where in the table exposed scene-linear lies; kept for LookUp. */
+	/** Finds the places of exposed scene-linear colours in the table and keeps them for LookUp. */
 	DRYDOCK_LANES_INLINE void FindPlaces(const FTableScale& Scale, const FLanes Linear[3], int32_t X) const
 	{
 		FLanes P[3];

@@ -1,4 +1,4 @@
-// Includes what modules of the engine get without an include: with `PCHUsage = UseExplicitOrSharedPCHs` every file of a
+// Includes what modules of the engine get without an include. With `PCHUsage = UseExplicitOrSharedPCHs` every file of a
 // plugin starts with a shared precompiled header of Core, CoreUObject, RHI, RenderCore and Engine, and published
 // plugins lean on it. drydock_add_plugin precompiles this header and begins every file of a plugin with it; drydock's
 // own code includes what it names. The renderer's private headers are not included. Source: engine file

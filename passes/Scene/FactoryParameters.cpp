@@ -1,4 +1,4 @@
-// Values of parameters by name, and the text that says what they may be.
+// Values of parameters by name, and the text that lists the values allowed.
 #include "FactoryParameters.h"
 
 #include "Math/ToInteger.h"

@@ -1,4 +1,4 @@
-// What a view is made of when it begins. Source: engine file SceneView.cpp.
+// Initial contents of a view. Source: engine file SceneView.cpp.
 #include "SceneView.h"
 
 IMPLEMENT_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, "View");

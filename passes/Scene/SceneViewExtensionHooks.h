@@ -1,5 +1,5 @@
-// Finds the hooks that an extension's class overrides, when the class is registered and without calling any, so that a
-// hook that the chosen engine version never calls can be reported.
+// Finds the hooks that an extension's class overrides, when the class is registered, without calling any. Hooks that
+// the chosen engine version never calls can be reported.
 #pragma once
 
 #include "CoreMinimal.h"

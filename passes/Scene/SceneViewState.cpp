@@ -1,4 +1,4 @@
-// What a view hands from one frame to the next.
+// Textures and buffers that a view hands from one frame to the next.
 #include "SceneViewState.h"
 
 #include "RenderGraphBuilder.h"

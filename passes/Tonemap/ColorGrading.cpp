@@ -65,7 +65,7 @@ const FColorMatrix& GetRec709ToXYZ()
 	return Matrix;
 }
 
-/** Of phase D of daylight. The polynomials are for the temperatures of 1968, before c2 was 1.4388. */
+/** Chromaticity of phase D of daylight. The polynomials are for the temperatures of 1968, before c2 was 1.4388. */
 FChromaticity GetDaylight(double Temperature)
 {
 	const double T = Temperature * 1.4388 / 1.438;
@@ -74,7 +74,7 @@ FChromaticity GetDaylight(double Temperature)
 	return {X, -3.0 * X * X + 2.87 * X - 0.275};
 }
 
-/** Of a black body, in the CIE 1960 diagram, and the direction in which it moves as the temperature rises. */
+/** Place of a black body in the CIE 1960 diagram, and the direction in which it moves as the temperature rises. */
 struct FPlanckian
 {
 	double U;

@@ -78,7 +78,7 @@ void SetBloom(FRDGBuilder& GraphBuilder, const FFinalPostProcessSettings& Settin
 	}
 }
 
-/** What lens and sensor do. */
+/** Sets the parameters of lens and sensor. */
 void SetLens(FRDGBuilder& GraphBuilder, const FViewInfo& View, FIntPoint Size, FTonemapParameters& Parameters)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;

@@ -62,7 +62,7 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FCharaGlowCompPS, "/Project/CharaGlow.usf", "CompPS", SF_Pixel);
 
-/** What the glow can reach; Further: texels more, up and down. */
+/** The rect that the glow can reach. Further: texels more, up and down. */
 FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
 {
 	const FIntRect& ViewRect = Inputs.SceneColor.ViewRect;
@@ -74,7 +74,7 @@ FIntRect FindReach(const FCharaGlowInputs& Inputs, int32 Further = 0)
 	return PlaceRect(GrowRect(*Inputs.MaskBounds, Reach, Reach + Further), ViewRect);
 }
 
-/** Source: what has the mask's viewport, or the rows. */
+/** Source: a texture with the mask's viewport, or the rows. */
 FCharaGlowBoxParameters* MakeBoxParameters(FRDGBuilder& GraphBuilder, const FCharaGlowInputs& Inputs,
 	const FScreenPassTexture& Source, const FScreenPassRenderTarget& Output)
 {

@@ -66,7 +66,7 @@ void WriteVolumes(FJsonWriter& Writer, const FBlendReport& Report)
 	Writer.EndArray();
 }
 
-/** What cannot be one value: see FFinalPostProcessSettings. */
+/** Writes contributions that cannot be one value: see FFinalPostProcessSettings. */
 void WriteContributions(FJsonWriter& Writer, const FFinalPostProcessSettings& Settings)
 {
 	Writer.Key("luts").BeginArray();

@@ -40,7 +40,7 @@ struct FBreach
 	std::string Message;
 };
 
-/** What the callback did wrong. bWasDrawn: OverrideOutput had contents before it ran. */
+/** Finds what the callback did wrong. bWasDrawn: OverrideOutput had contents before it ran. */
 FBreach FindBreach(const FPostProcessMaterialInputs& Inputs, const FScreenPassTexture& Result, bool bWasDrawn)
 {
 	const FScreenPassRenderTarget& Override = Inputs.OverrideOutput;

@@ -80,7 +80,7 @@ public:
 		AddEffects(EChainPlace::BeforeBloom);
 	}
 
-	/** Where post-processing is off: of what comes before the tonemapper translucency alone is there. */
+	/** If post-processing is off, only translucency is left before the tonemapper. */
 	void SkipSceneLinear()
 	{
 		if (IsActive(EEffect::Translucency))
@@ -335,8 +335,8 @@ private:
 		}
 	}
 
-	/** Where alone an effect has something to do, from the view's corner; not set: anywhere, or the picture is no
-	 * longer of the view's size. */
+	/** The only region where an effect has something to do, from the view's corner; not set: anywhere, or the picture
+	 * no longer has the view's size. */
 	std::optional<FIntRect> FindRegion(EEffect Id) const
 	{
 		const FEffectDecision* const Effect = FindEffect(Effects, Id);
@@ -392,7 +392,7 @@ private:
 
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;
 
-	// What one part leaves for the next.
+	// One part leaves these for the next.
 	FScreenPassTexture SceneColor; // the picture so far
 	FScreenPassTexture HalfResolution;
 	FSceneDownsampleChain SceneDownsampleChain;

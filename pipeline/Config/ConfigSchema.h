@@ -1,6 +1,6 @@
-// Writes the JSON schema of configs, from the list of config keys, the settings table, the list of show flags, the
-// console variables and the names that higher rooms know. It is JSON Schema draft 7. The published schema
-// (configs/schema) is that of Extensions/PublishedSchema.h.
+// Writes the JSON schema of configs: from config keys, the settings table, show flags, console variables and the names
+// that higher rooms know. It is JSON Schema draft 7. The published schema (configs/schema) is that of
+// Extensions/PublishedSchema.h.
 #pragma once
 
 #include "Config/ConfigSchemaNames.h"

@@ -34,7 +34,7 @@ FRange FindRange(const FImage& Image, int Channel)
 	return Range;
 }
 
-/** Of Count values: the longest run of one that lies inside the range. */
+/** The longest run of one value inside the range, among Count values. */
 int FindLongestRun(int Count, const FRange& Range, const std::function<double(int)>& Value)
 {
 	int Longest = 0, Run = 0;

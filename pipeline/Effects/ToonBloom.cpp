@@ -18,7 +18,7 @@ namespace
 constexpr FSettingClaim ToonBloomSettings[] = {{"BloomToonIntensity"}};
 constexpr const char* ToonBloomMeasured[] = {"Bloom", "GBufferB"};
 
-/** What becomes of it in the article's form. */
+/** Describes the effect in the article's form. */
 std::string AsPrintedText()
 {
 	if (!IsToonBloomAsPrinted())
@@ -41,7 +41,7 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 	const int32 Mode = GetToonBloomMode();
 	const float Factor = Inputs.Settings.BloomToonIntensity;
 	const bool bThreshold = Inputs.Settings.BloomThreshold > -1.0f;
-	// A view extension that sets the final settings says so by the override bit.
+	// A view extension that sets the final settings also sets the override bit.
 	const bool bNamed = Inputs.IsNamed("BloomToonIntensity") || Inputs.Settings.bOverride_BloomToonIntensity;
 	const std::string NoBloom = FindNoBloomReason(Inputs);
 	// r.DefaultFeature.Bloom 0 makes the strength 0 without anyone naming it, and bloom that a volume brings back does

@@ -13,7 +13,7 @@ namespace Drydock
 namespace
 {
 
-/** What the passes of both hooks share. */
+/** The part that the passes of both hooks share. */
 class FPassInserter
 {
 public:

@@ -76,7 +76,7 @@ bool Load(
 	const TConfigValue<std::string>& Plugin, const std::string& Path, FObjectValues& Values, FConfigMessages& Messages)
 {
 	const std::string Name = GetFileName(Path);
-	std::error_code Gone; // it was there a moment ago: dlopen says what is wrong with it
+	std::error_code Gone; // it was there a moment ago: dlopen reports what is wrong with it
 	const Files::file_time_type Time = Files::last_write_time(Path, Gone);
 	const auto Known = GetLoaded().find(Path);
 	if (Known != GetLoaded().end())

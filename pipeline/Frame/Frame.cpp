@@ -261,7 +261,7 @@ private:
 		View.InitViewUniformBuffer(Inputs.Extent);
 	}
 
-	/** What the camera sees, before extensions change it. */
+	/** Makes the camera's projection, before extensions change it. */
 	static FSceneViewProjectionData MakeProjection(const FFrameView& Source, const FMinimalViewInfo& Camera)
 	{
 		FSceneCamera Lens = Source.Lens;
@@ -392,7 +392,7 @@ private:
 		return CompleteReasons(Deciding, std::move(Decided));
 	}
 
-	/** What active effects are measured on outlives the graph. */
+	/** Keeps the textures that active effects are measured on beyond the graph. */
 	static void KeepMeasured(FRDGBuilder& GraphBuilder, FViewOfFrame& Target)
 	{
 		for (const FEffectDecision& Decision : Target.Effects)
@@ -415,7 +415,7 @@ private:
 		}
 	}
 
-	/** What an automatic exposure came to. */
+	/** Reads the result of an automatic exposure. */
 	void ReadExposure(FViewOfFrame& View) const
 	{
 		if (!Inputs.bExecute || !IsAutoExposureActive(View.Conditions))

@@ -101,7 +101,7 @@ bool IsColorTexture(const FKernelTexture& Texture)
 		   Info.NumChannels >= 3;
 }
 
-/** A constant of the pass's own struct that is no place or size. */
+/** True for a constant of the pass's own struct that is not a place or size. */
 bool IsTunable(const FShaderReflection& Reflection, const FShaderConstant& Constant)
 {
 	const std::string& Name = Constant.Name;
@@ -114,7 +114,7 @@ bool IsTunable(const FShaderReflection& Reflection, const FShaderConstant& Const
 		   Constant.Scalar == EShaderScalar::Float && Constant.Rows == 1 && Constant.NumElements == 0;
 }
 
-/** What one run is given in place of the frame's own. */
+/** The picture or constant that one run gets in place of the frame's own. */
 struct FReplaced
 {
 	size_t Slot = 0;
@@ -185,7 +185,7 @@ private:
 	const FKernelTile& Whole;
 };
 
-/** Of what a pass writes. */
+/** A pixel of the texture that a pass writes. */
 struct FPlace
 {
 	int X = 0;

@@ -1,4 +1,4 @@
-// What each hazard is as a picture (Hazards.h says it in words).
+// Makes the pictures of the hazards (Hazards.h has the words).
 #include "Hazards/HazardPictures.h"
 
 #include "CoreMinimal.h"

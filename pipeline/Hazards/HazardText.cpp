@@ -18,7 +18,7 @@ std::string FormatRange(const FHazardFinding& Finding)
 										 : std::string("nothing finite");
 }
 
-/** What is not finite, and how far it went. */
+/** Describes the pixels that are not finite. */
 std::string DescribeNonFinite(const FHazardFinding& Finding)
 {
 	const std::string What = Finding.NumNaN > 0 && Finding.NumInfinite > 0 ? "NaN and infinite"

@@ -59,7 +59,7 @@ std::vector<std::string> GetNames(int NumChannels)
 							: std::vector<std::string>(Names.begin(), Names.begin() + NumChannels);
 }
 
-/** What a person edits: not the headers that the engine ships. */
+/** True for a file that a person edits: not for the headers that the engine ships. */
 bool IsAuthors(const std::string& File)
 {
 	return File.ends_with(".usf") || !File.starts_with("/Engine/");

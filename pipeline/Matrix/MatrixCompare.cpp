@@ -37,7 +37,7 @@ bool AreSame(double A, double B)
 	return (std::isnan(A) && std::isnan(B)) || (A == B && std::signbit(A) == std::signbit(B));
 }
 
-/** What is other between two passes of one name; empty: nothing. */
+/** Describes the difference between two passes of one name; empty: none. */
 std::string DescribeChange(const FMatrixPass& Before, const FMatrixPass& Now)
 {
 	if (Before.bExecuted != Now.bExecuted)

@@ -1,4 +1,4 @@
-// Puts versions that fared alike together and says so.
+// Puts versions with the same outcome together and describes them.
 #include "Matrix/MatrixSummary.h"
 
 #include "Diagnostics.h"
@@ -30,7 +30,7 @@ std::string DropPlugin(const std::string& Where)
 	return Where.starts_with("plugin ") && Comma != std::string::npos ? Where.substr(Comma + 2) : Where;
 }
 
-/** What kept a row from succeeding; empty: nothing. */
+/** Describes why a row failed; empty: it succeeded. */
 std::string DescribeFailure(const FMatrixRow& Row)
 {
 	if (!Row.Build.bBuilt)

@@ -116,7 +116,7 @@ FPluginFolders FindPluginFolders(const std::string& Library)
 	return Found;
 }
 
-/** Of UCLASS(config=Game): "Game". It goes down to derived classes, which may name another. */
+/** Finds "Game" for UCLASS(config=Game). Derived classes inherit the name and may name another. */
 std::string FindConfigName(const FReflectedStruct& Class)
 {
 	const FReflectedStruct* Each = &Class;

@@ -18,7 +18,7 @@ namespace Drydock
 namespace
 {
 
-/** What a header says of the picture. */
+/** The picture as a header describes it. */
 struct FImageClaim
 {
 	int64_t Width = 0;
@@ -30,7 +30,7 @@ struct FImageClaim
 /** Deflate copies 258 bytes by two bits at best. */
 constexpr int64_t DeflateRatio = 1032;
 
-/** Memory is taken for what a chunk says it holds. */
+/** Memory is taken for the size that a chunk claims. */
 void CheckPngChunks(FHeaderBytes& Bytes)
 {
 	constexpr int64_t NumBytesAround = 12; // its length, type and checksum

@@ -61,7 +61,7 @@ double GetGreatest(const OIIO::TypeDesc& Type)
 FImagePart MakePart(const OIIO::ImageSpec& Spec)
 {
 	FImagePart Part;
-	Part.Width = Spec.depth > 1 ? 0 : Spec.width; // a volume is no picture
+	Part.Width = Spec.depth > 1 ? 0 : Spec.width; // a volume is not a picture
 	Part.Height = Spec.height;
 	Part.Window = {Spec.x - Spec.full_x, Spec.y - Spec.full_y, Spec.full_width, Spec.full_height};
 	Part.Channels = Spec.channelnames;

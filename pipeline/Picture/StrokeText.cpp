@@ -196,7 +196,7 @@ const FGlyph& GetGlyph(char Letter)
 	return Glyphs[static_cast<size_t>(Letter - FirstLetter)];
 }
 
-/** What there are letters for. */
+/** Replaces each character that has no glyph by '?'. */
 std::string ToAscii(const std::string& Text)
 {
 	std::string Ascii;

@@ -270,9 +270,9 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
 		.Exclude(Frames);
 	Verb.Add("--report", Options->Report,
-			"Write report.html, or sequence.html for a sequence: on, off, or full, with the values of all pictures of "
-			"a frame; --report alone means on; overrides the config's outputs.report; the default is on at a terminal, "
-			"otherwise off, and off with --watch")
+			"Write report.html, or sequence.html for a sequence: on, off, or full, which adds the values of all "
+			"pictures. --report alone means on. It overrides the config's outputs.report. The default is on at a "
+			"terminal, otherwise off, and off with --watch")
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);

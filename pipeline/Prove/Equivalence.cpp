@@ -8,14 +8,14 @@ namespace
 {
 
 const char* const Races =
-	"threads of one dispatch write one texel or buffer element, or add to it without an atomic, so that the order in "
-	"which they run decides: give each thread a place of its own, or add whole numbers with InterlockedAdd";
+	"threads of one dispatch write one texel or buffer element, or add to it without an atomic, and their order "
+	"decides the value: give each thread a place of its own, or add whole numbers with InterlockedAdd";
 const char* const Memory =
-	"a pass uses memory that is not its own: through a pointer to a resource that it does not declare in its "
-	"parameters, kept beyond the last pass that does, or before the first that writes it";
+	"a pass uses memory that is not its own: it uses a resource by a pointer, undeclared in its parameters, after the "
+	"last pass that declares it or before the first that writes it";
 const char* const Unwritten =
 	"something is read that nothing wrote: a target that was not drawn as a whole, an UAV that only some threads store "
-	"to, or a buffer without contents; draw all of it, clear it, or read only what was drawn";
+	"to, or a buffer without contents. Draw all of it, clear it, or read only what was drawn";
 const char* const LeftOut =
 	"a pass that nobody reads, or an effect without strength, has an effect on the picture all the same: its output is "
 	"not declared, or its code keeps something beside the graph";

@@ -29,8 +29,8 @@ std::vector<double> TakePixel(const std::vector<double>& Row, int X, int NumChan
 	return {First, First + NumChannels};
 }
 
-/** Where memory of both frames was filled before anything wrote it: 0 in the base, one number in all channels in the
- * other. */
+/** True if the pixel looks like memory that was filled before anything wrote it: 0 in the base, one number in all
+ * channels of the other frame. */
 bool LooksUnwritten(const FPixelDifference& Pixel)
 {
 	const bool bZero = std::all_of(Pixel.Base.begin(), Pixel.Base.end(), [](double Value) { return Value == 0.0; });
@@ -101,7 +101,7 @@ FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FCo
 	return Counted;
 }
 
-/** What was drawn of the mip, as it is now. */
+/** Copies the drawn part of the mip, as it is now. */
 FPicture CopyWindow(const FWrittenMip& Mip)
 {
 	const FPicture Whole = FPicture::Copy(*Mip.Texture, Mip.Mip);
@@ -135,7 +135,8 @@ FPassRecord::FPassRecord(EAlike InAlike, bool bInClobbered)
 {
 }
 
-/** Of passes of one name: by the compiled graph where it is known, for one of two frames may leave out some. */
+/** Counts the earlier passes of the same name: by the compiled graph if it is known, because one of two frames may
+ * leave out some. */
 int FPassRecord::CountEarlier(const FPassWrites& Writes, std::map<std::string, int>& Executed)
 {
 	const std::string Name = Writes.Pass.GetName();
@@ -185,7 +186,7 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 			Mip.Resource, Mip.Mip, "", std::nullopt, {}};
 		if (Base.Width != Window.Width || Base.Height != Window.Height || Base.NumChannels != Window.NumChannels)
 		{
-			// Of what is not drawn as a whole, or was full before, the size says nothing.
+			// The size counts only if the texture is drawn as a whole and was empty before.
 			Found.Sizes =
 				Known->second.bRaster && !Mip.bExternal ? FormatSize(Base) + ", and " + FormatSize(Window) : "";
 		}

@@ -215,7 +215,7 @@ void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
 	Writer.EndArray();
 }
 
-/** What the graph and the run do not say of passes that ran. */
+/** Writes what the graph and the run leave out about passes that ran. */
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
 	Writer.Key("passes").BeginArray();

@@ -58,7 +58,7 @@ FFrameFigures MeasureFrame(const FImage& Picture, const FImage& Before)
 	return Figures;
 }
 
-/** Of the passes, by the frame's timing.json; none where there is no such file. */
+/** Time of the passes, by the frame's timing.json; none if there is no such file. */
 std::optional<double> ReadMilliseconds(const std::filesystem::path& Folder)
 {
 	std::vector<FDiagnostic> Ignored;

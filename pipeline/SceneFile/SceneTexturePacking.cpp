@@ -86,7 +86,7 @@ FLinearColor PackVelocity(const FScenePackValues& Values, const FScenePackContex
 		EncodeVelocity(-2.0 * static_cast<double>(Values[1]) / Context.ViewSize.Y), 0.0f, 0.0f);
 }
 
-/** Of some members the type is FRDGTextureMSAA. */
+/** A template, because some members have the type FRDGTextureMSAA. */
 template<auto Member>
 void Set(FSceneTextures& SceneTextures, FRDGTextureRef Texture)
 {

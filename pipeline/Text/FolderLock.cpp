@@ -64,7 +64,7 @@ bool IsNumber(const std::string& Owner)
 	return Owner.find_first_not_of("0123456789\n") == std::string::npos;
 }
 
-/** "process 1234", where the file says so. */
+/** "process 1234", if the file holds a number; else "another process". */
 std::string DescribeOwner(int File)
 {
 	const std::string Number = ReadOwner(File);

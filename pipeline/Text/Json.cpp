@@ -146,7 +146,7 @@ private:
 		return Pointer.size() <= MaxPointer ? Pointer : Parent.ends_with("/...") ? Parent : Parent + "/...";
 	}
 
-	/** Where the token that the parser stopped at begins; it counts the bytes read up to the token's end. */
+	/** Finds the begin of the token that the parser stopped at. NumRead counts the bytes up to the token's end. */
 	size_t FindTokenBegin(size_t NumRead) const
 	{
 		const size_t Last = NumRead == 0 ? 0 : NumRead - 1;

@@ -14,7 +14,7 @@ namespace Drydock
 namespace
 {
 
-/** Where the escape sequence at Begin ends; Begin where there is none. */
+/** The end of the escape sequence at Begin; Begin if there is none. */
 size_t SkipEscape(const std::string& Text, size_t Begin)
 {
 	if (Text[Begin] != '\x1b')
@@ -47,7 +47,7 @@ size_t CountBytes(const std::string& Text, size_t Begin, size_t Columns)
 	return At - Begin;
 }
 
-/** Where the text of a line begins, behind blanks and a label that two blanks part from it. */
+/** The column at which the text of a line begins: behind blanks, and behind a label that two blanks end. */
 size_t FindIndent(const std::string& Line, size_t Width)
 {
 	constexpr size_t Deeper = 2;

@@ -17,7 +17,7 @@ constexpr size_t LeastName = 16;
 constexpr size_t LeastText = 24; // unless all its words are shorter
 constexpr size_t LeastOfAll = 8;
 
-/** Of one column, in characters. */
+/** Widths of one column, in characters. */
 struct FWidths
 {
 	size_t Least = 0;
@@ -54,7 +54,7 @@ FWidths Measure(const FTextTable& Table, size_t Column)
 	return Widths;
 }
 
-/** Of columns that stand side by side. */
+/** Sum of the widths of columns that stand side by side, with the gaps. */
 size_t Sum(const std::vector<FWidths>& Widths, size_t FWidths::*Which)
 {
 	size_t Total = Widths.empty() ? 0 : (Widths.size() - 1) * Gap;
@@ -151,7 +151,7 @@ std::string FormatRow(
 	return Text;
 }
 
-/** Where no column may go any more. */
+/** Allows narrower columns, once no more columns may be left out. */
 void Tighten(const FTextTable& Table, std::vector<FWidths>& Widths)
 {
 	for (size_t Column = 0; Column < Widths.size(); ++Column)

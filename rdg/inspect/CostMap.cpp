@@ -11,7 +11,7 @@ using namespace Spirv;
 namespace
 {
 
-/** Numbers that a step makes by computing. Moving values and control flow are no operations. */
+/** Numbers that a step makes by computing. Moving values and control flow do not count. */
 uint64_t CountOperations(const FSpirvModule& Module, const FSpirvInstruction& I)
 {
 	const bool bComputes =

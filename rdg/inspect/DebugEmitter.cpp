@@ -1,5 +1,5 @@
-// Writes a shader's file scope and its functions. What computes is left to the interpreter, so that the bits are its
-// own; the author's variables, branches and calls are those of C++.
+// Writes a shader's file scope and its functions. Arithmetic is left to the interpreter, so that the bits are the
+// interpreter's; the author's variables, branches and calls are those of C++.
 #include "DebugEmitter.h"
 
 #include "DebugEmitterImpl.h"

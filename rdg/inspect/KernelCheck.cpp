@@ -133,7 +133,7 @@ public:
 		const ECheck Check = Fault.Kind == ESpirvFault::Undefined ? ECheck::Uninitialized : ECheck::Bounds;
 		if (Checks[Check])
 		{
-			// What leaves the thread unwritten has the line of the last store, not of the shader's end.
+			// An output left unwritten gets the line of the last store, not of the shader's end.
 			Add(Thread, Check, Fault.bAtEnd && LastStore ? *LastStore->I : *Step.I,
 				[&Fault] { return DescribeFault(Fault); });
 		}
@@ -291,7 +291,8 @@ private:
 		}
 	}
 
-	/** An operation that makes NaN or infinity of finite numbers. What reads it from memory is not to blame. */
+	/** An operation that makes NaN or infinity of finite numbers. A read of such a value from memory is not to
+	 * blame. */
 	void CheckOperation(const FSpirvThreadView& Thread, const FSpirvStep& Step)
 	{
 		const FSpirvInstruction& I = *Step.I;
@@ -324,7 +325,7 @@ private:
 		}
 	}
 
-	/** What: makes the text, of the first thread. */
+	/** Adds a finding, whose text What makes from the first thread. */
 	void Add(const FSpirvThreadView& Thread, ECheck Check, const FSpirvInstruction& I, TFunctionRef<std::string()> What)
 	{
 		const FFindingKey Key(Check, I.File, I.Line);
@@ -336,7 +337,7 @@ private:
 		Finding.What = Finding.What.empty() ? What() : Finding.What;
 	}
 
-	/** The finding, with one thread more. What is empty where it is new. */
+	/** Counts one more thread for the finding. Its What is empty if the finding is new. */
 	FCheckFinding& Count(ECheck Check, const FSpirvInstruction& I, const int32_t* At)
 	{
 		const auto [Entry, bNew] = Findings.try_emplace(FFindingKey(Check, I.File, I.Line));

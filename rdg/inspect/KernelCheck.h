@@ -1,5 +1,5 @@
-// Finds faults inside a shader: the first line of a dispatch that makes NaN or infinity from numbers, whose value a
-// format cannot hold, that reaches outside or reads what nothing wrote; and the pixels concerned.
+// Finds faults inside a shader: their lines, threads and pixels. A fault is a line that makes NaN or infinity from
+// numbers, whose value a format cannot hold, that reaches outside, reads what nothing wrote, or races (ECheck).
 #pragma once
 
 #include "InspectedShader.h"

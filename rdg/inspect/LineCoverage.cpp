@@ -14,7 +14,8 @@ using namespace Spirv;
 namespace
 {
 
-/** Where a block goes on has the line of what stands before it, and is no work of its own. */
+/** False for the instruction by which a block goes on: it has the line of the one before and does no work of its
+ * own. */
 bool IsOfLine(const FSpirvInstruction& I)
 {
 	return I.Line && I.Op != OpBranch && I.Op != OpReturn;

@@ -29,7 +29,7 @@ struct FLineStep
 	bool bVariable = false; // the value is the variable that operand 0 points into
 };
 
-/** What the lines of a file do. */
+/** The steps of each line of a file. */
 class FLineSteps
 {
 public:
@@ -218,7 +218,7 @@ FLinePlace ParseLinePlace(const std::string& Text)
 		Place.Line < 1)
 	{
 		throw FError({.Code = 1020,
-						 .Message = "'" + Text + "' is no line; expected FILE.usf:LINE or FILE.usf:LINE:VARIABLE",
+						 .Message = "'" + Text + "' is not a line; expected FILE.usf:LINE or FILE.usf:LINE:VARIABLE",
 						 .Where = "--show"},
 			ExitUsage);
 	}

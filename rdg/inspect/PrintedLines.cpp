@@ -26,7 +26,7 @@ enum class EPrintCall : uint8_t
 	Newline, // the same, with the line's end
 };
 
-/** Of what the front end calls a parameter: the type that it has or points to. */
+/** The type of a parameter, or the type that it points to: the front end makes both. */
 uint32_t GetParameterType(const FSpirvModule& Module, uint32_t Parameter)
 {
 	const uint32_t Type = Module.GetValueTypeId(Parameter);

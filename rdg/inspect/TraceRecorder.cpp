@@ -195,7 +195,7 @@ private:
 			{
 				return;
 			}
-			// Of several components that a line stores one by one, the whole.
+			// A line that stores several components one by one gets one event: the whole.
 			if (!Line.Events.empty() && Line.Events.back().Kind == ETraceEvent::Value &&
 				Line.Events.back().Name == Name)
 			{

@@ -10,8 +10,8 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarBackend(TEXT("r.Drydock.Backend"), 0,
-	TEXT("What shaders run on. 0: the CPU, as drydock compiles them; 1: the Vulkan driver that is there. Hand-written "
-		 "kernels stay on the CPU."));
+	TEXT("Device that shaders run on. 0: the CPU, as drydock compiles them; 1: the Vulkan driver that is there. "
+		 "Hand-written kernels stay on the CPU."));
 
 /** Opened at the first shader that is to run there, and kept: drivers take a while. */
 IDispatchBackend* ChooseBackend()

@@ -70,7 +70,7 @@ bool IsNeeded(const std::string& Extension)
 	return !Extension.starts_with("SPV_GOOGLE_");
 }
 
-/** What the module lays out otherwise than its words do: as Direct3D does (SpirvLayout.h). Null: nothing. */
+/** The value by which the module replaces a word of the layout: Direct3D's (SpirvLayout.h). Null: none. */
 const uint32_t* FindLayout(const FSpirvModule& Module, uint16_t Op, const uint32_t* Operands)
 {
 	const auto Type = Op == OpDecorate || Op == OpMemberDecorate ? Module.Types.find(Operands[0]) : Module.Types.end();

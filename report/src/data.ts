@@ -1,4 +1,4 @@
-// What a report says: the types of report.schema.json that the page reads, and the few questions asked of all of it.
+// A report's data: the types of report.schema.json that the page reads, and the few questions asked of all of it.
 import { unzlibSync } from "fflate";
 import { DiffReport } from "./diff/data";
 import { MatrixReport } from "./matrix/data";

@@ -24,7 +24,7 @@ function isDark(): boolean {
 	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
-/** What a kind of page holds: its sections, what stands under its name, and its own keys. */
+/** The contents of a kind of page: its sections, the lines under its name, and its own keys. */
 interface Contents {
 	note: string[];
 	sections: [string, string][];
@@ -97,7 +97,7 @@ function makeContents(report: AnyReport): Contents {
 	}
 }
 
-/** Of drydock, that made the data. */
+/** The version of the drydock that made the data. */
 function getVersion(report: AnyReport): string {
 	return report.kind === "study" ? report.study.version : report.kind === "run" ? report.run.version : report.version;
 }

@@ -1,4 +1,4 @@
-// What is written to the ledger, and how an entry is found by its field.
+// Makes an empty ledger, and finds an entry by its field.
 #include "BlendLedger.h"
 
 #include <unordered_map>

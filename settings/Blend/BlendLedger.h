@@ -1,5 +1,5 @@
-// The ledger: for every setting the story of its value, from the default through volumes, camera, command line, console
-// variables and show flags to what a view renders with.
+// The ledger: the history of every setting's value, from the default to the value that a view renders with. Volumes,
+// camera, command line, console variables and show flags change it in between.
 #pragma once
 
 #include "PostProcessSettingsReflection.h"

@@ -1,4 +1,4 @@
-// Finds the fields that a settings object overrides, and says which values have no effect.
+// Finds the fields that a settings object overrides, and reports values that have no effect.
 #include "BlendSource.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ using FReal = long double;
 
 /** Relative to the farthest corner: distances below this are rounding. */
 constexpr FReal RoundingError = 8.0 * std::numeric_limits<double>::epsilon();
-/** Of one step. */
+/** Rounding of one step. */
 constexpr FReal StepError = 8.0 * std::numeric_limits<FReal>::epsilon();
 
 struct FWide

@@ -90,7 +90,7 @@ struct FSettingsBlender::FPass
 		}
 	}
 
-	/** What became of the lists that hold such a field's contributions. */
+	/** Describes the lists that hold such a field's contributions. */
 	std::string Describe(const FSettingField& Field) const
 	{
 		return Field.Blend == ESettingBlend::LUT          ? DescribeLUTs(Result.Settings)

@@ -45,7 +45,7 @@ TAutoConsoleVariable<int32> CVarMotionBlurTargetFPS(TEXT("r.MotionBlur.TargetFPS
 	TEXT("0 and above: MotionBlurTargetFPS, whatever the settings say. -1: the settings (default)."),
 	ECVF_RenderThreadSafe);
 
-/** What a flag switches off; LocalExposure and GlobalIllumination by hand. */
+/** Switches settings off by show flags; LocalExposure and GlobalIllumination by hand. */
 void EndFlags(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowFlags, FSettingsEditor& Editor)
 {
 	SwitchBloomOff(!ShowFlags.Bloom, Settings, Editor, ByFlag("ShowFlag.Bloom"));
@@ -70,7 +70,7 @@ void EndFlags(FFinalPostProcessSettings& Settings, const FEngineShowFlags& ShowF
 	}
 }
 
-/** What a quality of 0, or too low a one, switches off. */
+/** Switches settings off by qualities of 0 or too low. */
 void EndQualities(FFinalPostProcessSettings& Settings, FSettingsEditor& Editor)
 {
 	const int32 TonemapperQuality = CVarTonemapperQuality.GetValueOnAnyThread();

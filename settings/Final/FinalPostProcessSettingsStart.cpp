@@ -1,4 +1,4 @@
-// What a view's settings begin with. Source: engine SceneView.cpp (StartFinalPostprocessSettings).
+// Sets the values that a view's settings begin with. Source: engine SceneView.cpp (StartFinalPostprocessSettings).
 #include "SettingsEditor.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ TAutoConsoleVariable<int32> CVarAmbientOcclusionStaticFraction(TEXT("r.DefaultFe
 	1, TEXT("0: AmbientOcclusionStaticFraction is 0 unless a volume or the camera sets it."), ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarAutoExposure(TEXT("r.DefaultFeature.AutoExposure"), 1,
-	TEXT("0: the eye does not adapt (least and greatest brightness 1) unless a volume or the camera says so."),
+	TEXT("0: the eye does not adapt (least and greatest brightness 1) unless a volume or the camera sets it."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarAutoExposureMethod(TEXT("r.DefaultFeature.AutoExposure.Method"), 0,

@@ -65,7 +65,7 @@ DRYDOCK_SETTING(FLinearColor, SceneColorTint, FLinearColor(1.0f, 1.0f, 1.0f, 1.0
 DRYDOCK_SETTING(float, FilmSlope, 0.88f, Between(0, 1), "", "Film", Lerp, "Steepness of the film curve: larger darkens shadows and brightens highlights.")
 DRYDOCK_SETTING(float, FilmToe, 0.55f, Between(0, 1), "", "Film", Lerp, "Dark end of the film curve: larger gives darker darks.")
 DRYDOCK_SETTING(float, FilmShoulder, 0.26f, Between(0, 1), "", "Film", Lerp, "Bright end of the film curve: larger compresses highlights more.")
-DRYDOCK_SETTING(float, FilmBlackClip, 0.0f, Between(0, 1), "", "Film", Lerp, "Where the darkest end is cut off, in output.")
+DRYDOCK_SETTING(float, FilmBlackClip, 0.0f, Between(0, 1), "", "Film", Lerp, "Output value at which the darkest end is cut off.")
 DRYDOCK_SETTING(float, FilmWhiteClip, 0.04f, Between(0, 1), "", "Film", Lerp, "How far the curve may pass white before it is cut off, in output.")
 
 // Lens: fringe

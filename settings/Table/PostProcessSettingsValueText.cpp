@@ -277,7 +277,7 @@ bool SettingFromText(
 	}
 	if (bRead)
 	{
-		// What is stored is what the field can hold.
+		// The field stores only what it can hold.
 		FPostProcessSettings Scratch;
 		Field.Set(Scratch, Value);
 		OutValue = Field.Get(Scratch);

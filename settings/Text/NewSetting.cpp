@@ -149,7 +149,7 @@ std::optional<FNewSetting> MakeNewSetting(
 	FNewSetting Setting;
 	Setting.Name = Name;
 	Setting.OverrideName = "bOverride_" + Name;
-	Setting.Doc = "What " + Name + " does.";
+	Setting.Doc = "Effect of " + Name + ".";
 	Setting.Type = Type;
 	for (const auto& [Short, Long] : ShortNames)
 	{

@@ -246,7 +246,7 @@ struct FPassTypes
 	std::string Initial;
 };
 
-/** What multiplies the bloom of marked pixels. */
+/** Adds the factor on the bloom of marked pixels. */
 void AddShaderBranch(const std::string& Short, const std::string& ShaderFile, std::vector<FSettingPlace>& Places)
 {
 	const std::string Call = "OutColor *= Get" + Short + "(UV);";
@@ -277,7 +277,7 @@ void AddBloomSetup(
 	Places.push_back({Stem + ".h", "FBloomSetupInputs",
 		WithScene("TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;",
 			Types.Cpp + " " + Short + Types.Initial),
-		bMarked ? "The pass has no G-buffer of itself: SceneTextures tell what a pixel is shaded as." : ""});
+		bMarked ? "The pass has no G-buffer of its own: SceneTextures hold the shading model of each pixel." : ""});
 	Places.push_back({Stem + ".cpp", "FBloomSetupParameters",
 		WithScene("SHADER_PARAMETER_RDG_UNIFORM_BUFFER(FSceneTextureUniformParameters, SceneTextures)",
 			Types.bObject ? "SHADER_PARAMETER_RDG_TEXTURE(Texture2D, " + Short + ")"

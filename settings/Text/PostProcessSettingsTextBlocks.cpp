@@ -17,7 +17,7 @@ namespace
 /** Deeper than any map. */
 constexpr size_t MaxBlocks = 64;
 
-/** What a volume is made of; X, Y and Z are the size of a CubeBuilder. */
+/** The properties that a volume is made of; X, Y and Z are the size of a CubeBuilder. */
 constexpr const char* ReadProperties[] = {"Settings", "Priority", "BlendRadius", "BlendWeight", "bEnabled", "bUnbound",
 	"ActorLabel", "RelativeLocation", "RelativeRotation", "RelativeScale3D", "X", "Y", "Z"};
 

@@ -5,8 +5,10 @@
   check.py SOURCE FILE...    prints the findings of these files
   check.py SOURCE --renew    writes exceptions.tsv anew
 
-A sentence begins with its subject, not with "Of", "What" and the like. Codespell, where it is installed, reads the
-same files.
+A sentence begins with its subject, not with "Of", "What" and the like. A sentence has 25 words at most in README.md,
+docs/concepts.md, CONTRIBUTING.md, texts in quotes (--help and messages) and the first sentence of a header. A colon or
+the end of a line of output ends a sentence, too. A code span, or a value put between two texts in quotes, is one word.
+Codespell, where it is installed, reads the same files.
 """
 import os
 import re
@@ -22,6 +24,10 @@ PATTERNS = [
     ("says what", re.compile(r"\b(says|say|tells|tell) (what|which|how|where|why|so)\b")),
     ("the like", re.compile(r"\bstand(s)? (at|for|in) (the|a) (beginning|there)\b")),
 ]
+MOST_WORDS = 25
+SHORT_PAGES = ("README.md", "docs/concepts.md", "CONTRIBUTING.md")
+SHORT_TEXTS = ("pipeline/", "settings/", "passes/", "rdg/")
+LONG_TEXTS = "rdg/shader/Glslang/"  # texts in quotes that become HLSL
 TREES = ["docs", "configs", "rdg", "settings", "passes", "pipeline", "cmake", "dev", "report/src", "templates",
          "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 
@@ -39,11 +45,11 @@ def page_sentences(text):
             yield re.sub(r"\s+", " ", cell.strip().lstrip("-*#> ").replace("**", ""))
 
 
-def code_sentences(text, line_mark):
-    """The comments and the texts in quotes of a source file."""
+def comments(text, line_mark):
+    """The comments of a source file, by block."""
     block = []
     for line in text.split("\n"):
-        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?!/)|" + line_mark + r")\s?(.*)", line)
+        found = re.match(r"\s*(?:///?<?|/\*\*?|\*(?=\s|$)|" + line_mark + r")\s?(.*)", line)
         if found:
             begins = re.match(r"\s*/\*\*", line)
             if begins and block:
@@ -59,27 +65,47 @@ def code_sentences(text, line_mark):
             yield trailing[1]
     if block:
         yield " ".join(block)
-    joined = re.sub(r'"\s*\n\s*"', "", text)
+
+
+def texts_in_quotes(text):
+    """The texts in quotes of a source file; pieces that become one text are one."""
+    joined = re.sub(r'"\)?\s*(?:TEXT\()?"', "", text)
+    joined = re.sub(r'"\s*\+[^";{}]*\+\s*"', "X", joined)
     for found in re.finditer(r'"((?:[^"\\\n]|\\.)*)"', joined):
         if " " in found[1] and not joined[:found.start()].endswith("#include "):
-            yield found[1].replace("\\n", " ").replace('\\"', "'")
+            yield found[1].replace("\\n", "\n").replace('\\"', "'")
 
 
-def findings(path):
-    with open(path, encoding="utf-8") as file:
+def long_sentences(chunk):
+    chunk = re.sub(r"`[^`\n]*`", "CODE", chunk)
+    for sentence in re.split(r"[.!?][\"')]*\s+|: |\n", chunk):
+        if len(re.findall(r"\S*[A-Za-z]\S*", sentence)) > MOST_WORDS:
+            yield "long", sentence
+
+
+def findings(source, name):
+    with open(os.path.join(source, name), encoding="utf-8") as file:
         text = file.read()
-    if path.endswith(".md"):
-        chunks = page_sentences(text)
+    if name.endswith(".md"):
+        chunks = list(page_sentences(text))
+        short = chunks if name in SHORT_PAGES else []
     else:
-        is_c = path.endswith((".h", ".cpp", ".inl", ".usf", ".ush", ".ts"))
-        chunks = code_sentences(text, "(?!)" if is_c else r"#(?!!)")
-    for chunk in chunks:
-        for name, pattern in PATTERNS:
+        is_c = name.endswith((".h", ".cpp", ".inl", ".usf", ".ush", ".ts"))
+        heads = list(comments(text, "(?!)" if is_c else r"#(?!!)"))
+        texts = list(texts_in_quotes(text))
+        chunks = heads + texts
+        short = texts if name.startswith(SHORT_TEXTS) and not name.startswith(LONG_TEXTS) else []
+        if name.endswith(".h") and heads:
+            short = [re.split(r"[.!?]\s", heads[0])[0], *short]
+    for chunk in short:
+        yield from long_sentences(chunk)
+    for chunk in (chunk.replace("\n", " ") for chunk in chunks):
+        for kind, pattern in PATTERNS:
             for found in pattern.finditer(chunk):
-                if name == "begins" and re.match(r"[^.!]*\?", chunk[found.start():]):
+                if kind == "begins" and re.match(r"[^.!]*\?", chunk[found.start():]):
                     continue  # a question
                 at = max(0, found.start() - 20)
-                yield name, chunk[at:found.end() + 60]
+                yield kind, chunk[at:found.end() + 60]
 
 
 def files(source):
@@ -105,11 +131,11 @@ def main():
     listing = os.path.join(source, "tests/english/exceptions.tsv")
     if len(sys.argv) > 2 and sys.argv[2] != "--renew":
         for path in sys.argv[2:]:
-            for name, text in findings(path):
-                print(f"{path}: {name}: ...{text}...")
+            for kind, text in findings(source, os.path.relpath(path, source)):
+                print(f"{path}: {kind}: ...{text}...")
         return 0
     names = files(source)
-    counts = {name: len(list(findings(os.path.join(source, name)))) for name in names}
+    counts = {name: len(list(findings(source, name))) for name in names}
     counts = {name: count for name, count in counts.items() if count}
     if sys.argv[2:] == ["--renew"]:
         with open(listing, "w", encoding="utf-8") as file:

@@ -27,7 +27,7 @@ const char* GetSeverityName(ESeverity Severity)
 	}
 }
 
-/** No name is longer; a text of megabytes in its place is no misspelling, and would be compared letter by letter. */
+/** No name is longer; a text of megabytes in its place is not a misspelling, and would be compared letter by letter. */
 constexpr size_t MaxNameLength = 200;
 
 /** How far a name may be from one that it stands for, by the length of the longer one. */

@@ -1,4 +1,4 @@
-// What an error says that carries many messages.
+// Builds the text of an error that carries many messages.
 #include "DiagnosticList.h"
 
 namespace Drydock

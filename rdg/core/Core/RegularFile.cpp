@@ -19,7 +19,7 @@ std::string DescribeError(int Error)
 	return std::generic_category().message(Error);
 }
 
-/** What stands in the place of a file; empty where a file does. */
+/** Describes what is in the place of a regular file; empty if the file is one. */
 std::string DescribeOther(mode_t Mode)
 {
 	return S_ISREG(Mode)    ? ""

@@ -33,7 +33,7 @@ void SetWords(const FCodeOwner* Owner)
 	}
 }
 
-/** Where one plugin lies. End is written last, so that a handler never sees half of one. */
+/** The addresses of one plugin. End is written last, so that a handler never sees half a range. */
 struct FPluginRange
 {
 	std::atomic<uintptr_t> Begin{0};

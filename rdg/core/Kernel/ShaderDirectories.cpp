@@ -64,7 +64,7 @@ std::string FindIgnoringCase(const fs::path& Root, const fs::path& Relative)
 		Found /= Match;
 	}
 	std::error_code Error;
-	return fs::exists(Found, Error) ? Found.string() : std::string(); // who reads it says what else it may be
+	return fs::exists(Found, Error) ? Found.string() : std::string(); // the reader reports what else it may be
 }
 
 constexpr size_t MaxListed = 20000; // files; a whole disk may be mapped

@@ -1,5 +1,5 @@
 // The binary interface between a compiled shader (a shared object made by the shader tier) and the library that runs
-// it: plain structs of pointers and sizes, no C++ runtime types, so that one compiled shader serves any build of the
+// it: plain structs of pointers and sizes, without C++ runtime types. One compiled shader serves any build of the
 // library with the same version number.
 #pragma once
 

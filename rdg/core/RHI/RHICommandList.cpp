@@ -152,7 +152,7 @@ void FRHIComputeCommandList::RunTiles(
 		Observer->BeforeDispatch(Shader, Args, Whole);
 	}
 	{
-		// Compiled by drydock: what goes wrong inside a kernel is no fault of whoever dispatches it.
+		// Compiled by drydock: a fault inside a kernel is not the fault of its caller.
 		const Drydock::FCodeOwner* const Caller = Drydock::GetRunningCode();
 		const Drydock::FCodeOwner Kernel{
 			.Callback = "shader " + Shader.Name, .Pass = Caller ? Caller->Pass : std::string()};

@@ -1,5 +1,5 @@
-// What draws cover: the viewport, or the rectangles that a vertex shader makes. Source: engine RHICommandList.h for
-// meaning; the execution is drydock's.
+// Finds what draws cover: the viewport, or the rectangles that a vertex shader makes. Source: engine RHICommandList.h
+// for meaning; the execution is drydock's.
 #include "CommonRenderResources.h"
 #include "VertexRectangles.h"
 
@@ -10,11 +10,11 @@
 namespace
 {
 
-/** Each vertex is interpreted; what draws more is no post-processing. */
+/** Each vertex is interpreted; post-processing does not draw more. */
 constexpr uint64 GMaxTriangles = 8192;
 
-/** What the engine's vertex shader of screen passes makes of the unit square's corners, as ScreenPass.usf has it.
- * Parameters: contents of the uniform buffer DrawRectangleParameters. */
+/** Runs the engine's vertex shader of screen passes on the unit square's corners, as ScreenPass.usf has it. Parameters:
+ * contents of the uniform buffer DrawRectangleParameters. */
 std::vector<Drydock::FVertexOutput> RunScreenPassVS(const void* Parameters, uint32 NumBytes)
 {
 	struct
@@ -47,7 +47,7 @@ Drydock::FDiagnostic MakeNoRectangle(const std::string& VertexShader, const std:
 {
 	return Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
 		"nothing is drawn with vertex shader " + VertexShader + ": " + Fault +
-			". What drydock draws are rectangles of the screen, and triangles that cover the viewport");
+			". drydock draws rectangles of the screen, and triangles that cover the viewport");
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace Drydock
 namespace
 {
 
-/** What every code of a channel stands for. */
+/** Makes the table of values that a channel's codes stand for. */
 template<typename TDecode>
 std::vector<float> MakeTable(size_t NumCodes, TDecode Decode)
 {
@@ -57,7 +57,7 @@ const float* GetMiniFloatTable()
 	return Table.data();
 }
 
-/** Where the codes of a channel are, and what they stand for. */
+/** The place of a channel's codes, and the values that they stand for. */
 struct FChannelCodes
 {
 	const float* Table = nullptr; // null: the format lacks the channel
@@ -150,7 +150,7 @@ void EncodeHalfRow(const float* Values, size_t Count, uint16_t* OutHalves, bool 
 	}
 }
 
-/** Of a float the product with up to 16 bits is exact in double, and so is its rounding to nearest even. */
+/** The product of a float and up to 16 bits is exact in double, and so is its rounding to nearest even. */
 template<typename TCode>
 TCode EncodeUnormCode(float Value)
 {

@@ -12,7 +12,7 @@ static TAutoConsoleVariable<int32> CVarDrydockStorage(TEXT("r.Drydock.Storage"),
 			TEXT(" 2: the same as 64-bit floats"));
 
 static TAutoConsoleVariable<int32> CVarDrydockStoreOverflow(TEXT("r.Drydock.StoreOverflow"), 0,
-	TEXT("What a finite value too large for half becomes when stored.\n")
+	TEXT("Result of storing a finite value too large for half.\n")
 		TEXT(" 0: infinity, as hardware converts (default)\n") TEXT(" 1: 65504"));
 
 namespace Drydock

@@ -58,7 +58,7 @@ uint32 GetElementSize(EVertexElementType Type)
 	}
 }
 
-/** What is not there is (0, 0, 0, 1). */
+/** Reads one element; components that are not there are (0, 0, 0, 1). */
 void Decode(EVertexElementType Type, const uint8* Bytes, double (&Out)[4])
 {
 	Out[0] = Out[1] = Out[2] = 0;

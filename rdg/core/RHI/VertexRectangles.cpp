@@ -224,7 +224,7 @@ private:
 				const double V1 = Three[1].Vertex->TexCoords[Index][Part];
 				const double V2 = Three[2].Vertex->TexCoords[Index][Part];
 				FKernelInterpolant& Plane = Planes[size_t(Index)];
-				// What is the same everywhere stays so, infinities too.
+				// A value that is the same everywhere stays the same, infinities too.
 				const bool bConstant = V0 == V1 && V0 == V2;
 				Plane.DX[Part] = bConstant ? 0 : ((V1 - V0) * Y2 - (V2 - V0) * Y1) / Area;
 				Plane.DY[Part] = bConstant ? 0 : ((V2 - V0) * X1 - (V1 - V0) * X2) / Area;

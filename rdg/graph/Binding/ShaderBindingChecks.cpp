@@ -12,7 +12,7 @@ namespace Drydock
 namespace
 {
 
-/** Where the struct declares a member, for a message. */
+/** " (declared at FILE:LINE)" of a struct's member, for a message. */
 std::string DescribeDeclaration(const FShaderParametersMetadata& Metadata, const std::string& CodeName)
 {
 	for (const FHlslMember& Member : Metadata.GetHlslMembers())
@@ -60,7 +60,7 @@ const FRHITexture* FindBoundTexture(const FResourceCopy& Copy, const void* Conte
 	}
 }
 
-/** What a view is read as that does not have the counter for it; empty: it has. */
+/** Describes what the shader reads a view as, if the view lacks the counter for it; else empty. */
 std::string FindMissingCounter(const FShaderResource& Counter, const FRHIUnorderedAccessView& View)
 {
 	const bool bAppend = View.SupportsAppendBuffer();
@@ -105,7 +105,7 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
 	}
 	for (const FResourceCopy& Copy : Plan.Resources)
 	{
-		// Of a uniform buffer that is not there, its own message tells.
+		// A uniform buffer that was not set has its own message.
 		if (const void* const Contents = GetContents(Plan.Sources[Copy.Source], Parameters))
 		{
 			Require(Contents, Copy.SourceOffset, Copy.CodeName);

@@ -14,8 +14,8 @@ namespace Drydock
 namespace
 {
 
-/** What is free of the heap, which has no end here: gaps in a tree by their place, each node of which knows the largest
- * gap below it. Every operation takes the logarithm of their number. */
+/** The free parts of the heap, which has no end here: gaps in a tree by their place, each node of which knows the
+ * largest gap below it. Every operation takes the logarithm of their number. */
 class FFreeSpace
 {
 public:

@@ -285,7 +285,7 @@ std::vector<FDiagnostic> FRDGBuilder::CheckGraph()
 	return Warnings;
 }
 
-/** Of a graph that is checked: with what its passes said since they were added, and with the epilogue. */
+/** Compiles a checked graph, with what its passes reported since they were added, and with the epilogue. */
 FRDGCompiledGraph FRDGBuilder::Compile(FRDGGraphDescription Graph)
 {
 	for (const TRDGPlaced<FRDGPass>& Pass : State->Passes)

@@ -1,4 +1,4 @@
-// Finds the raster passes that a GPU would run as one render pass, and says why others are not.
+// Finds the raster passes that a GPU would run as one render pass, and the reasons against others.
 #include "RenderGraphMerge.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace Drydock
 namespace
 {
 
-/** What a subresource is used as over a run of passes. */
+/** The access to a subresource over a run of passes. */
 struct FState
 {
 	ERHIAccess Access = ERHIAccess::Unknown;
@@ -288,7 +288,7 @@ private:
 	std::vector<size_t> FirstUse; // by resource, and the end
 	std::vector<FRDGTransition> Transitions;
 
-	// Of one resource or subresource at a time.
+	// Scratch for one resource or subresource at a time.
 	std::vector<FRDGTransition> OfResource;
 	std::vector<FState> OfPasses;
 	std::vector<FState> States;

@@ -309,7 +309,7 @@ private:
 		Warn(RDGWarningFeedback, Pass,
 			"the pass samples what it renders to: " + Name + " is " + Target.Parameter + " and is read as " +
 				Read.Parameter +
-				". What such a read finds is undefined; here it is what was there before the pass. Read a copy, or "
+				". The result of such a read is undefined; here it is the texel before the pass. Read a copy, or "
 				"draw "
 				"to another texture (r.RDG.Validation 2 makes this an error)",
 			Read.Parameter, Name);

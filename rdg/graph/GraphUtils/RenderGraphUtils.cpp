@@ -119,7 +119,7 @@ struct FCopySide
 	}
 };
 
-/** What CopyTexture would refuse when the pass runs is said here, where it was written. */
+/** Refuses at the place of the call what CopyTexture would refuse when the pass runs. */
 void CheckCopy(FRDGTextureRef Input, FRDGTextureRef Output, const FRHICopyTextureInfo& Info,
 	const Drydock::FSourceLocation& Location)
 {

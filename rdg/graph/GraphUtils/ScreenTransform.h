@@ -1,5 +1,5 @@
-// FScreenTransform: an affine map of 2D positions, as one float4 to HLSL (xy scale, zw bias); and the bases that
-// positions of a screen pass are given in. Source: engine ScreenPass.h.
+// FScreenTransform: an affine map of 2D positions, and the bases that positions of a screen pass are given in. The map
+// is one float4 to HLSL (xy scale, zw bias). Source: engine ScreenPass.h.
 #pragma once
 
 #include "CoreMinimal.h"

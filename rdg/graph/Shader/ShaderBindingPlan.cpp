@@ -54,7 +54,7 @@ public:
 	}
 
 private:
-	/** What the shader reads and the struct lacks. */
+	/** A parameter that the shader reads and the struct lacks. */
 	struct FMissing
 	{
 		EBindingError Code;

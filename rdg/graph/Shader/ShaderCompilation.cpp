@@ -58,8 +58,8 @@ FShaderUniformBuffer DescribeUniformBuffer(const FShaderParametersMetadata& Stru
 	return Buffer;
 }
 
-/** Those of the parameter struct, then all others that are registered: a shader may name them in functions that it does
- * not call. What it does read without a buffer is found when it is matched with its parameters. */
+/** Adds those of the parameter struct, then all others that are registered: a shader may name them in functions that it
+ * does not call. A read without a buffer is found when the shader is matched with its parameters. */
 void AddUniformBuffers(const FShaderParametersMetadata* Metadata, FShaderCompileRequest& Request)
 {
 	const auto Add = [&Request](const FShaderParametersMetadata& Struct)
@@ -295,7 +295,7 @@ void WarmShaders(const std::vector<FShaderRef>& Shaders, int32 NumThreads)
 namespace
 {
 
-/** Of every permutation so far. */
+/** Calls Function with the state of every permutation so far. */
 template<typename TFunction>
 void ForEachState(TFunction Function)
 {

@@ -29,8 +29,8 @@ struct FHlslCompiler
 	std::string GetName() const { return Program.substr(Program.rfind('/') + 1); }
 };
 
-/** What DRYDOCK_HLSL_COMPILER names; nothing where it is not set. Throws FError DD6012 where that program is not there,
- * or its base name begins with none of dxc, slangc and glslang. */
+/** The compiler that DRYDOCK_HLSL_COMPILER names; nothing where it is not set. Throws FError DD6012 where that program
+ * is not there, or its base name begins with none of dxc, slangc and glslang. */
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
 /** Path, size and time of that program, hashed: what it made is kept apart from what others made. Empty where

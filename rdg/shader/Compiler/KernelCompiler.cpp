@@ -116,7 +116,7 @@ FError MakeError(
 	return FError({ESeverity::Error, Code, Message, Request.VirtualPath, 0, 0, {}}, ExitCode);
 }
 
-/** Keeps the generated text for the report of a fault that is ours, and says where. */
+/** Keeps the generated text for the report of a fault that is ours. The result is its path, as a message has it. */
 std::string KeepKernel(const std::string& Cpp)
 {
 	const std::string Suffix = ".cpp";
@@ -274,7 +274,7 @@ std::string Compile(const std::string& Cpp, const FTemporaryFolder& Folder, cons
 	};
 	const std::string Link = OfferHeaders(Headers, Folder);
 	FChildResult Child = Run();
-	if (!Link.empty() && !Child.Succeeded() && !Child.bTimedOut) // damaged headers are no reason to fail
+	if (!Link.empty() && !Child.Succeeded() && !Child.bTimedOut) // damaged headers must not fail a kernel
 	{
 		unlink(Link.c_str());
 		Child = Run();
@@ -339,7 +339,7 @@ FKernelFunction LoadKernel(const std::string& SharedObject, const FLaneConfig& L
 					   Module->RealSize == (Lanes.bDouble ? sizeof(double) : sizeof(float));
 	if (!bFits)
 	{
-		OutFault = SharedObject + " is no kernel of this kind";
+		OutFault = SharedObject + " is not a kernel of this kind";
 		dlclose(Handle);
 		return nullptr;
 	}

@@ -52,7 +52,7 @@ void WarnOnce(const FDiagnostic& Diagnostic)
 	}
 }
 
-/** What is wrong with the user's folder. */
+/** Reports a fault of the user's folder. */
 void Report(FDiagnostic Diagnostic)
 {
 	if (GUse == EShaderCacheUse::Required)
@@ -98,7 +98,7 @@ std::string ChooseFolder()
 	return Home.empty() ? Home : Home + "/.cache/drydock";
 }
 
-/** What takes the place of a cache that cannot be written, until the process ends. */
+/** Takes the place of a cache that cannot be written, until the process ends. */
 struct FFolderOfRun
 {
 	FTemporaryFolder Temporary;
@@ -221,7 +221,7 @@ FShaderCache FShaderCache::Open()
 	const std::string Path = ChooseFolder();
 	if (Path.empty())
 	{
-		Report(MakeUnwritten("", "DRYDOCK_CACHE_DIR, XDG_CACHE_HOME and HOME do not say where it is"));
+		Report(MakeUnwritten("", "none of DRYDOCK_CACHE_DIR, XDG_CACHE_HOME and HOME is set"));
 	}
 	else
 	{

@@ -60,7 +60,7 @@ public:
 		return Slot->Value;
 	}
 
-	/** Forgets what Is says so of. */
+	/** Forgets the values for which Is is true. */
 	template<typename FIs>
 	void Remove(FIs Is)
 	{
@@ -289,7 +289,7 @@ void Build(const FShaderSource& Source, const FShaderCompileRequest& Request, co
 	const FTemporaryFolder Folder;
 	const FPrecompiledHeaders Headers(Cache, CompilerId, Result.Lanes);
 	const std::string SharedObject = CompileKernel(Cpp, Folder, Result.Lanes, Request, Headers.File);
-	Headers.MakeMissing(); // after a kernel that compiles: what is wrong with the compiler is said about the shader
+	Headers.MakeMissing(); // after a kernel that compiles: a fault of the compiler is reported for the shader
 	if (!Request.bQuads)   // that of the shader as it is
 	{
 		Cache.StoreReflection(HashSource(Source, Request, {}), Result.Reflection);

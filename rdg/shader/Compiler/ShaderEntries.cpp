@@ -39,7 +39,7 @@ std::vector<FFunctionText> ListFunctionTexts(const FHlslText& Text)
 namespace
 {
 
-/** Nothing: it is no entry point. */
+/** The stage of an entry point; nothing for other functions. */
 std::optional<EShaderStage> FindStage(const FHlslText& Text, const FFunctionText& Function)
 {
 	const size_t Head = Function.Name - 1; // its type, behind the attributes

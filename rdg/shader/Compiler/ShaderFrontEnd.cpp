@@ -50,7 +50,7 @@ bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::s
 	return false;
 }
 
-/** What the author meant, where glslang's words do not say it. */
+/** Explains a message in the author's words where glslang's do not. */
 std::string Explain(const std::string& Message, const FShaderCompileRequest& Request)
 {
 	// 'View_Foo' : unknown variable  ->  the uniform buffer's member as it was written
@@ -235,7 +235,7 @@ private:
 	bool bKept = false; // a process of ours that is kept, not a child for every shader
 };
 
-/** Of a front end that failed without a word about the shader. */
+/** The error of a front end that failed without a message about the shader. */
 FError ExplainFailure(const FFrontEnd& FrontEnd, const FChildResult& Child, const FShaderSource& Source)
 {
 	const FShaderCompileRequest& Request = FrontEnd.Request;

@@ -37,7 +37,7 @@ const std::vector<std::string> Intrinsics = {"abs", "acos", "all", "any", "asflo
 	"GroupMemoryBarrierWithGroupSync", "InterlockedAdd", "InterlockedAnd", "InterlockedExchange", "InterlockedMax",
 	"InterlockedMin", "InterlockedOr"};
 
-/** What stands between the first two quotes. */
+/** The text between the first two quotes. */
 std::string GetQuoted(const std::string& Message)
 {
 	const size_t Open = Message.find('\'');
@@ -143,8 +143,8 @@ public:
 	}
 
 private:
-	/** The one message that says why, where a line with errors has words of what is left out: whatever else the front
-	 * end says comes from that. */
+	/** The one message with the reason, if a line with errors uses something that is left out: all other errors of the
+	 * front end follow from it. */
 	std::optional<FDiagnostic> FindLeftOut(const FError& Error)
 	{
 		for (const FDiagnostic& Each : Error.GetDiagnostics())

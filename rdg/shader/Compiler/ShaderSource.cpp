@@ -22,7 +22,7 @@ namespace Drydock
 namespace
 {
 
-/** What stands behind "cannot open '...'": why, the nearest name, and where files are looked for. */
+/** The end of the message "cannot open '...'": why, the nearest name, and where files are looked for. */
 std::string DescribeAbsence(const std::string& Path, const std::string& Unreadable)
 {
 	if (!Unreadable.empty())
@@ -188,7 +188,7 @@ FShaderInclude FFlattener::FindInclude(const std::string& Target, const std::str
 
 void FFlattener::Define()
 {
-	// What the engine's compile environment defines before the first line of a shader.
+	// The engine's compile environment defines these before the first line of a shader.
 	const std::vector<std::pair<std::string, std::string>> Defines = {
 		{"DRYDOCK", "1"},
 		{"PIXELSHADER", Request.Stage == EShaderStage::Pixel ? "1" : "0"},

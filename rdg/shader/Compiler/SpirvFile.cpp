@@ -62,7 +62,7 @@ public:
 	{
 		if (Bytes.size() % sizeof(uint32_t) != 0 || Words.size() < HeaderWords)
 		{
-			throw MakeError(6004, "this file is no SPIR-V: it has " + std::to_string(Bytes.size()) +
+			throw MakeError(6004, "this file is not SPIR-V: it has " + std::to_string(Bytes.size()) +
 									  " bytes, and a module is a row of words of 4 bytes, at least 5");
 		}
 		std::memcpy(Words.data(), Bytes.data(), Bytes.size());
@@ -70,7 +70,7 @@ public:
 		{
 			throw MakeError(6004, Words[0] == SwappedMagic
 									  ? "this SPIR-V has its bytes in the other order; write it little-endian"
-									  : "this file is no SPIR-V: it does not begin with 0x07230203");
+									  : "this file is not SPIR-V: it does not begin with 0x07230203");
 		}
 		for (size_t At = HeaderWords; At < Words.size();)
 		{

@@ -7,7 +7,7 @@ namespace Drydock
 namespace
 {
 
-/** What a function takes and gives. */
+/** The form of a function: its arguments and its result. */
 enum class EForm
 {
 	Each,   // all arguments and the result alike

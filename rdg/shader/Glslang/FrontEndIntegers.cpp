@@ -14,7 +14,7 @@ namespace
 constexpr size_t BoundWord = 3; // of the header: above all ids
 constexpr unsigned int HidingOp = spv::OpBitFieldUExtract;
 
-/** What is left over has the sign of the left side in HLSL (`-7 % 4` is -3). glslang writes OpSMod, whose results of
+/** A remainder has the sign of the left side in HLSL (`-7 % 4` is -3). glslang writes OpSMod, whose results of
  * constants have that of the right. */
 void CorrectRemainders(std::vector<unsigned int>& Words)
 {
@@ -117,7 +117,7 @@ void FIntegerPass::Learn(unsigned int Op, const unsigned int* I, unsigned int Co
 }
 
 /** A shift by a number takes its low 5 bits (6, 4 for integers of 64 and 16 bits) in HLSL. The optimiser makes 0 of
- * constants that are shifted by more: each count that is no constant below the width goes through an `&` with width
+ * constants that are shifted by more: each count that is not a constant below the width goes through an `&` with width
  * - 1. */
 bool FIntegerPass::MaskCount(unsigned int Op, const unsigned int* I)
 {

@@ -140,7 +140,7 @@ bool FFrontEndProcess::ReceiveReply(FFrontEndReply& Reply, FTime Deadline)
 		   Receive(Reply.Words.data(), Reply.Words.size() * sizeof(uint32_t), Deadline, bTimedOut);
 }
 
-/** Of a process that gave no answer: ends it, and tells how it ended. */
+/** Ends a process that gave no answer, and fills in how it ended. */
 void FFrontEndProcess::End(FChildResult& Child)
 {
 	if (Child.bTimedOut)

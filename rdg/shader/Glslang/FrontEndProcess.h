@@ -31,7 +31,7 @@ struct FFrontEndCounts
 	int64_t Processes = 0; // started
 };
 
-/** Of this process so far. */
+/** The counts of this process so far. */
 DRYDOCK_API FFrontEndCounts GetFrontEndCounts();
 
 } // namespace Drydock

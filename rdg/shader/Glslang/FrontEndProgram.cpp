@@ -85,9 +85,9 @@ void MarkLoops(std::vector<unsigned int>& Words, bool bMark)
 	Words = std::move(Result);
 }
 
-/** By the passes that glslang has for HLSL, each operation of floats rounded as it stands: `x * 3 * 5` is no `x * 15`,
- * so that the program with its functions gives the same bits. Nothing is folded in a module that says how it rounds.
- * Source: SPIRV-Tools, Instruction::IsFloatingPointFoldingAllowed. */
+/** By the passes that glslang has for HLSL, each operation of floats rounded as it stands: `x * 3 * 5` does not become
+ * `x * 15`, so that the program with its functions gives the same bits. Nothing is folded in a module that declares how
+ * it rounds. Source: SPIRV-Tools, Instruction::IsFloatingPointFoldingAllowed. */
 void Optimise(const glslang::TIntermediate& Intermediate, std::vector<unsigned int>& Words, spv::SpvBuildLogger& Logger,
 	const glslang::SpvOptions& Options)
 {

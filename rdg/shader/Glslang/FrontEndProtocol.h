@@ -1,4 +1,4 @@
-// What the process with glslang in it is asked, and what it answers: lengths, then bytes, over one socket.
+// Requests to the process with glslang in it, and its answers: lengths, then bytes, over one socket.
 #pragma once
 
 #include <cerrno>

@@ -101,7 +101,7 @@ bool AddClamp(const FBuilder& Build, TIntermTyped* Sample, TIntermTyped* Clamp)
 	TIntermSequence& Arguments = Finder.Found->getSequence();
 	const bool bGrad = Finder.Found->getOp() == EOpTextureGrad || Finder.Found->getOp() == EOpTextureGradOffset;
 	const TSampler& Sampler = Arguments[0]->getAsTyped()->getType().getSampler();
-	// What cubes of an array are compared with has no place left among the coordinates; a bias is behind the clamp.
+	// The reference of cube arrays has no place left among the coordinates; a bias is behind the clamp.
 	const bool bOwnReference = Sampler.shadow && Sampler.arrayed && Sampler.dim == EsdCube;
 	const size_t NumBeforeBias = Finder.Found->getOp() == EOpTextureOffset || bOwnReference ? 3 : 2;
 	const size_t At = bGrad ? Arguments.size() : NumBeforeBias;

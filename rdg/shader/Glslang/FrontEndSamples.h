@@ -16,7 +16,7 @@ enum class ESampleForm
 /** "Sample": without glslang's prefix of methods. */
 const char* GetMethodName(const TFunction& Function);
 
-/** Of a call of a texture's method; Known for all other functions. */
+/** The form of a call of a texture's method; Known for all other functions. */
 ESampleForm FindSampleForm(const TFunction& Function, const FNodes& Nodes);
 
 /** The same function without its last parameter. */

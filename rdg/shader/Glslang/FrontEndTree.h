@@ -14,7 +14,7 @@ namespace Drydock
 
 using namespace glslang;
 
-/** What glslang's HLSL grammar has no name for. */
+/** True for types that glslang's HLSL grammar has no name for. */
 inline bool IsNew(TBasicType Type)
 {
 	return Type == EbtFloat16 || Type == EbtInt16 || Type == EbtUint16 || Type == EbtInt64 || Type == EbtUint64;

@@ -88,7 +88,7 @@ private:
 		return bWords ? 4 : bLong ? 8 : bShort ? 2 : 0;
 	}
 
-	/** Of the widest scalar in a type: where it begins and ends in memory. */
+	/** Bytes of the widest scalar in a type: the type begins and ends at a multiple of them. */
 	uint32_t GetAlignment(const std::string& Type, int Depth) const
 	{
 		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Type);
@@ -256,7 +256,7 @@ private:
 											 : std::string();
 		const std::optional<FHlslNumeric> Numeric = ParseHlslNumeric(Written);
 		const std::string Type = Numeric ? Numeric->GetName() : Written;
-		// What is stored as an int is what is stored as its bits; a uint is as HLSL's older mode has it.
+		// An int is stored as its bits; a uint is stored as in HLSL's older mode.
 		if (Type.empty() || (!bList && (!Numeric || (Numeric->Columns == 0 && Numeric->IsInteger()))) ||
 			bLoad == (Comma < Close))
 		{
@@ -265,7 +265,7 @@ private:
 		FAccess Parts{Text.GetText(First, At - 1), "At", bLoad, {}, 0, 0, false};
 		if (!AccessType(Parts, Type, "Value", 0))
 		{
-			return; // the front end says what it does not know
+			return; // the front end reports what it does not know
 		}
 		const size_t Before = Text.FindDeclaration(At);
 		if (!IsGlobal(First, At) || Before >= Text.Size())

@@ -11,7 +11,7 @@ namespace Drydock
 namespace
 {
 
-/** What HLSL's specification says of them, for the types that it has. */
+/** Their definitions by HLSL's specification, for the types that it has. */
 const std::map<std::string, const char*> ReplacedIntrinsics = {
 	{"AddUint64", "uint2 DrydockAddUint64(uint2 A, uint2 B) { uint Low = A.x + B.x; "
 				  "return uint2(Low, A.y + B.y + (Low < A.x ? 1u : 0u)); } "
@@ -114,7 +114,7 @@ private:
 		Edits.Insert(Close + 2, "}");
 	}
 
-	/** Of a vector or matrix it compares each part by itself. */
+	/** Rewrites WaveActiveAllEqual of a vector or matrix, which compares each part by itself. */
 	void CompareParts(size_t At)
 	{
 		const std::optional<FHlslNumeric> Of = ParseHlslNumeric(Symbols.GetType(At + 2, Text.FindClose(At + 1)));

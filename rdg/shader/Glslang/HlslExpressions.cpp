@@ -108,7 +108,7 @@ private:
 		{
 			return;
 		}
-		// Of numbers of 16 and 64 bits the front end makes no conditions by itself.
+		// The front end does not convert numbers of 16 and 64 bits to conditions by itself.
 		const std::optional<FHlslNumeric> Type = ParseHlslNumeric(Symbols.GetType(At + 2, Separators[1]));
 		const bool bConverts = Type && !Type->IsMatrix() &&
 							   (Type->Scalar.find("16_t") != std::string::npos ||

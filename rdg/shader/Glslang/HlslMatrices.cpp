@@ -91,14 +91,14 @@ public:
 	}
 
 private:
-	/** Of 16 or 64 bits: the front end makes no matrices of these. */
+	/** True for integers of 16 or 64 bits: the front end makes no matrices of these. */
 	static bool IsSizedInteger(const FHlslNumeric& Type)
 	{
 		return Type.Scalar == "int16_t" || Type.Scalar == "uint16_t" || Type.Scalar == "int64_t" ||
 			   Type.Scalar == "uint64_t";
 	}
 
-	/** At matrices of bool the front end crashes. */
+	/** The front end crashes at matrices of bool. */
 	static FHlslNumeric GetStored(FHlslNumeric Type)
 	{
 		Type.Scalar = Type.IsMatrix() && Type.Scalar == "bool" ? "int" : Type.Scalar;

@@ -37,7 +37,7 @@ public:
 	/** Declares arrays and structs of resources as single ones, everything else of their types as uint. */
 	void Declare(FHlslEdits& Edits) const;
 
-	/** What the name at At begins, where it is a resource of the types that are numbered. */
+	/** The use that the name at At begins, if the name is a resource of the numbered types. */
 	std::optional<FHlslResourceUse> FindUse(size_t At) const;
 
 	/** In the order of their numbers. */

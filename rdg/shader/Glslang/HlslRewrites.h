@@ -1,5 +1,5 @@
-// What HLSL of today has and the front end lacks or gets wrong, rewritten among the tokens of a preprocessed text.
-// What cannot be rewritten is an error at its token.
+// Rewrites parts of today's HLSL that the front end lacks or gets wrong, among the tokens of a preprocessed text. A
+// part that cannot be rewritten is an error at its token.
 #pragma once
 
 #include "HlslSymbols.h"
@@ -56,7 +56,7 @@ bool RewriteExpressions(FHlslText& Text, const FHlslSymbols& Symbols, std::vecto
 /** Element Index of a value, counted row by row: "V[1]", "V[0][2]", a scalar itself. */
 std::string GetHlslElement(const std::string& Value, const FHlslNumeric& Type, int Index);
 
-/** "_m00_m11" and "_11_22" by their elements, each "_m00"; empty where Swizzle is no swizzle of several elements. */
+/** "_m00_m11" and "_11_22" by their elements, each "_m00"; empty if Swizzle does not name several elements. */
 std::vector<std::string> SplitMatrixSwizzle(const std::string& Swizzle);
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
-// What a preprocessed shader declares, and of which type an expression is: as much of HLSL's typing as the rewrites
-// before the front end need. What it does not know is an empty type, which a rewrite then leaves alone or refuses.
+// Finds the declarations of a preprocessed shader and the types of its expressions, as far as the rewrites before the
+// front end need them. An unknown type is empty; a rewrite then leaves the expression alone or refuses it.
 #pragma once
 
 #include "HlslTokens.h"
@@ -57,7 +57,7 @@ class DRYDOCK_API FHlslSymbols
 public:
 	explicit FHlslSymbols(const FHlslText& InText);
 
-	/** What Name is at a token; null where it is nothing that is declared before. */
+	/** The variable that Name means at a token; null if none is declared before it. */
 	const FHlslVariable* FindVariable(const std::string& Name, size_t At) const;
 	const std::vector<FHlslFunction>* FindFunctions(const std::string& Name) const;
 	const FHlslVariable* FindMember(const std::string& Struct, const std::string& Member) const;

@@ -112,7 +112,7 @@ private:
 		return 0;
 	}
 
-	/** Of a declaration that begins at First: the struct's name, or the word before the first parenthesis. */
+	/** The name in a declaration that begins at First: the struct's, or the word before the first parenthesis. */
 	size_t FindName(size_t First, size_t End) const
 	{
 		if (Text.Is(First, "struct") || Text.Is(First, "class"))

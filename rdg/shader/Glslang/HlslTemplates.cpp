@@ -60,7 +60,7 @@ public:
 private:
 	void Error(size_t At, const std::string& Message) { Errors.push_back(Text.MakeError(At, Message)); }
 
-	/** Where the scan goes on. */
+	/** Replaces a use of a template. The result is the token at which the scan goes on. */
 	size_t ReplaceUse(size_t At)
 	{
 		const std::string Name = Text[At].Text;
@@ -75,7 +75,7 @@ private:
 		const FHlslSymbols Symbols(Text);
 		if (!ListEnd && (!bCall || IsDeclared(Symbols, At) || HasExactOverload(Symbols, Name, NameEnd)))
 		{
-			return At; // a name of something else, or a function that is no template
+			return At; // a name of something else, or a function that is not a template
 		}
 		for (const FHlslTemplate& Template : Templates[Name])
 		{
@@ -302,7 +302,7 @@ private:
 		return Result;
 	}
 
-	/** Of the declaration outside all braces but those of namespaces that the token At is in. */
+	/** The first token of the declaration that At is in: the outermost one within namespaces. */
 	size_t FindDeclarationStart(size_t At) const
 	{
 		size_t Start = 0;

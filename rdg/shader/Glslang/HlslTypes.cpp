@@ -20,7 +20,7 @@ int GetRank(const std::string& Scalar)
 	return int(std::find(std::begin(Ranks), std::end(Ranks), Scalar) - std::begin(Ranks));
 }
 
-/** Of A + B. */
+/** The type of A + B. */
 std::string Unite(const std::string& A, const std::string& B)
 {
 	const std::optional<FHlslNumeric> Left = ParseHlslNumeric(A);
@@ -48,7 +48,7 @@ std::string WithScalar(const std::string& Type, const char* Scalar)
 	return Numeric->GetName();
 }
 
-/** "xyz" of a float4 -> float3, "_m00_m11" of a matrix -> float2; empty where it is no swizzle. */
+/** "xyz" of a float4 -> float3, "_m00_m11" of a matrix -> float2; empty if it is not a swizzle. */
 std::string GetSwizzleType(const FHlslNumeric& Of, const std::string& Swizzle)
 {
 	FHlslNumeric Result{Of.Scalar, 0, 0};

@@ -56,14 +56,14 @@ public:
 
 	std::string Get() const { return Text.substr(Begin, End - Begin); }
 
-	/** The first character behind the word that is no blank, or behind From. */
+	/** The first character from From on that is not a blank. */
 	size_t SkipBlanks(size_t From) const { return std::min(Text.find_first_not_of(" \t\n", From), Text.size()); }
 	char Behind() const
 	{
 		const size_t At = SkipBlanks(End);
 		return At < Text.size() ? Text[At] : '\0';
 	}
-	/** The last character before the word that is no blank. */
+	/** The last character before the word that is not a blank. */
 	char Before() const
 	{
 		const size_t At = Begin == 0 ? std::string::npos : Text.find_last_not_of(" \t\n", Begin - 1);
@@ -149,7 +149,7 @@ private:
 		return Result;
 	}
 
-	/** Up to the opening brace, at which Words then ends; false when this is no definition. */
+	/** Up to the opening brace, at which Words then ends; false if this is not a definition. */
 	bool ReadHead(FWords& Words, std::string& Name, FEnum& Enum)
 	{
 		FWords Head = Words;

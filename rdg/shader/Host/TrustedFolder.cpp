@@ -38,7 +38,7 @@ std::string FindFault(const FFileDescriptor& File, bool bFolder, const std::vect
 	}
 	if (bFolder ? !S_ISDIR(Status.st_mode) : !S_ISREG(Status.st_mode))
 	{
-		return bFolder ? "is no folder" : "is no file";
+		return bFolder ? "is not a folder" : "is not a file";
 	}
 	if (std::find(Owners.begin(), Owners.end(), Status.st_uid) == Owners.end())
 	{
@@ -67,7 +67,7 @@ FTrustedFile OpenAt(int At, const std::string& Name, int Flags, const std::vecto
 		const bool bLink = bThere && S_ISLNK(Status.st_mode);
 		Result.Trust = bLink || (bThere && bFolder && !S_ISDIR(Status.st_mode)) ? ETrust::Foreign : ETrust::Absent;
 		Result.Fault = bLink                             ? "is a symbolic link"
-					   : Result.Trust == ETrust::Foreign ? "is no folder"
+					   : Result.Trust == ETrust::Foreign ? "is not a folder"
 														 : DescribeSystemError(Error);
 		return Result;
 	}

@@ -57,7 +57,7 @@ struct FCubeTexel
 	int32_t Face;
 };
 
-/** What lies along a face's columns, along its rows and out of it: an axis of the cube and its sign. */
+/** The direction along a face's columns, along its rows or out of it: an axis of the cube and its sign. */
 struct FCubeAxis
 {
 	int32_t Axis;

@@ -69,8 +69,8 @@ DRYDOCK_LANES_INLINE TRaw<float, 4> LoadQuad(const uint8_t* P)
 	}
 }
 
-// What follows is narrow: Decode and Encode know the words that a texel consists of, the lowest bytes first. Encode
-// sets bits in words of zeros.
+// Narrow formats follow: Decode and Encode know the words that a texel consists of, the lowest bytes first. Encode sets
+// bits in words of zeros.
 
 /** X / Max of the integer that Bits holds above Shift, correctly rounded. */
 template<int N>

@@ -1,5 +1,5 @@
-// The lesser and the greater of two reals per lane by the processor's instruction for it, which compilers do not find
-// in a comparison and a choice of lanes.
+// The lesser and the greater of two reals per lane, by the processor's instruction. Compilers do not find it in a
+// comparison and a choice of lanes.
 #pragma once
 
 #include "LanesTypes.h"

@@ -1,6 +1,6 @@
-// Runs pixels by quads: a pack of N lanes is N / 2 columns of two rows, from an even column and row on, so that the
-// four pixels of a quad always lie in the same four lanes. The value of a lane that does not run counts as no
-// difference, and is read as 0. Included by generated code only. Source: Direct3D 11.3 functional specification 22.5.
+// Runs pixels by quads: a pack of N lanes is N / 2 columns of two rows, from an even column and row on. The four pixels
+// of a quad always lie in the same four lanes. The value of a lane that does not run counts as no difference, and is
+// read as 0. Included by generated code only. Source: Direct3D 11.3 functional specification 22.5.
 #pragma once
 
 #include "LanesLevels.h"

@@ -245,7 +245,7 @@ DRYDOCK_LANES_INLINE bool FindRows(
 }
 
 /** Lanes on one row pair inside the texture, some of their columns the border's colour: the window of the nearest
- *  columns, and a choice. False when the lanes are no such thing. */
+ * columns, and a choice. False for other lanes. */
 template<int N>
 inline bool SampleBorderedWindow(FAnyFormat Format, const FKernelMip& Mip, const uint8_t* Base,
 	const FKernelSampler& Sampler, const TAxis<float, N>& X, const TAxis<float, N>& Y, TRaw<float, N> C[4])

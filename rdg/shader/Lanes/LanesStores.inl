@@ -63,7 +63,7 @@ inline void StoreLanes(const FKernelTexture& Texture, const int32_t* Mask, const
 							AllLanes(TMask<N>(LoadRaw<TRaw<int32_t, N>>(Mask))) &&
 							IsRow<N>(LoadRaw<TRaw<int32_t, N>>(X), LoadRaw<TRaw<int32_t, N>>(Y)) &&
 							(!Z || IsSame<N>(LoadRaw<TRaw<int32_t, N>>(Z)));
-		// What is no whole row goes through the same conversion beside the texture.
+		// Lanes that are not a whole row go through the same conversion beside the texture.
 		alignas(64) uint8_t Row[N * 16];
 		uint8_t* const Place = bWhole ? const_cast<uint8_t*>(TexelAddress(Mip, Bytes, X[0], Y[0], Z ? Z[0] : 0)) : Row;
 		if (Bytes <= 16 && StoreTexels<Scalar, N>(Texture.Storage, Texture.bSaturateStore != 0, Place, Value))

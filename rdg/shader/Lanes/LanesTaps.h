@@ -1,6 +1,6 @@
-// Taps: the places that a kernel remembers, over one tile, of a sample or load whose column depends on the pixel's
-// column alone and whose row on the pixel's row. The library finds the texels' places at one pack; other packs with the
-// same layout read from there: whole texels of floats or halves by the kernel itself (LanesTapReads.h), all others by a
+// Taps: places of a sample or load that a kernel remembers over one tile. The sample's column depends on the pixel's
+// column alone, its row on the pixel's row. The library finds the texels' places at one pack; other packs with the same
+// layout read from there: whole texels of floats or halves by the kernel itself (LanesTapReads.h), all others by a
 // function of the library.
 #pragma once
 

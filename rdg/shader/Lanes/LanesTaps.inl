@@ -19,7 +19,7 @@ struct FTapPlace
 	int32_t Y = 0;
 };
 
-/** Where the lanes' samples lie along y, in 1/256 texels. */
+/** Positions of the lanes' samples along y, in 1/256 texels. */
 template<int N>
 struct TSnappedRow
 {
@@ -57,8 +57,8 @@ DRYDOCK_LANES_INLINE void SetRow(
 	Tap.WeightY = Rows.Weight;
 }
 
-/** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step halves of a texel apart. What
- * does not fit the columns that the tap knows already is not learned. */
+/** The pack's first texel is Offset bytes into Rows, those of the next pixels lie Step halves of a texel apart. A pack
+ * that does not fit the columns known to the tap is not learned. */
 template<int N, typename FFormat, int Step>
 DRYDOCK_LANES_INLINE void LearnPack(const FTapPlace& Place, bool (*Function)(const FKernelTap&, int32_t, float*),
 	int64_t Offset, float WeightX, const FRowPair& Rows)
@@ -135,7 +135,7 @@ DRYDOCK_LANES_INLINE void Learn(const FTapPlace& Place, int64_t Offset, float We
 	}
 }
 
-/** Of a sample whose columns are known at the pack already: the rows of this one. False where they are not one pair. */
+/** Learns the rows of a sample whose columns are known at the pack already. False if the rows are not one pair. */
 template<int N>
 DRYDOCK_LANES_INLINE bool LearnRow(const FKernelTexture& Texture, const FKernelMip& Mip, const FKernelSampler& Sampler,
 	const float* V, const FTapPlace& Place)

@@ -10,7 +10,7 @@ namespace Drydock::Lanes
 inline namespace DRYDOCK_LANES_SET
 {
 
-/** Of a texel; the last may have fewer than four bytes. */
+/** Number of words of a texel; the last word may have fewer than four bytes. */
 template<typename FFormat>
 constexpr int WordsOf = (FFormat::Bytes + 3) / 4;
 

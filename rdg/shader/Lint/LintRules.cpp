@@ -31,7 +31,7 @@ const std::vector<FLintRule>& GetLintRules()
 	constexpr const char* Model60 = "https://github.com/microsoft/DirectXShaderCompiler/wiki/Shader-Model-6.0";
 	static const std::vector<FLintRule> Rules = {
 		{"atomics-64", ESeverity::Error, LintD3D11 | LintSM6, "atomics on 64 bits need shader model 6.6",
-			"use two of 32 bits, or one that says which thread goes next",
+			"use two of 32 bits, or one that holds which thread goes next",
 			"https://microsoft.github.io/DirectX-Specs/d3d/HLSL_SM_6_6_Int64_and_Float_Atomics.html"},
 		{"atomics-texture", ESeverity::Warning, LintMetal | LintMobile,
 			"not every device and system has atomics on textures in Metal",

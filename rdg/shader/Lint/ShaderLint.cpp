@@ -43,7 +43,7 @@ public:
 	}
 
 	void LookAtText(const std::string& Source);
-	/** What can be read of any module, of one too that drydock does not run. */
+	/** Checks what any module shows, even one that drydock does not run. */
 	void LookAtWords(const std::vector<uint32_t>& Words);
 	void LookAtModule(const FSpirvModule& Module, const std::string& Source);
 
@@ -62,7 +62,7 @@ private:
 	{
 		Add(Id, Module.Files[I.File], I.Line, What);
 	}
-	/** Where: "/Project/X.usf:9", or empty. */
+	/** Adds a finding at Where: "/Project/X.usf:9", or empty. */
 	void AddWhere(const char* Id, const std::string& Where, const std::string& What)
 	{
 		const size_t Colon = Where.rfind(':');

@@ -1,5 +1,5 @@
-// Tokens of preprocessed HLSL that know where they stand, so that a rewrite can move them and every line of the result
-// still says which line of which file it is.
+// Tokens of preprocessed HLSL that know their file and line. A rewrite can move them, and every line of the result
+// still has its file and line.
 #pragma once
 
 #include "Diagnostics.h"

@@ -166,7 +166,7 @@ private:
 		}
 		if (At < Tokens.size() && Tokens[At].Text == "(")
 		{
-			return Fail("'" + Token.Text + "' is no macro");
+			return Fail("'" + Token.Text + "' is not a macro");
 		}
 		return Token.Text == "true" ? 1 : 0;
 	}
@@ -180,7 +180,7 @@ private:
 			const char Suffix = char(std::tolower(static_cast<unsigned char>(*End)));
 			if (Suffix != 'u' && Suffix != 'l')
 			{
-				return Fail("'" + Text + "' is no integer");
+				return Fail("'" + Text + "' is not an integer");
 			}
 		}
 		return int64_t(Value);

@@ -161,7 +161,7 @@ private:
 		}
 	}
 
-	/** Puts the expansion before the rest of Input; false when the name of a function-like macro is no call. */
+	/** Puts the expansion before the rest of Input; false if the name of a function-like macro is not called. */
 	bool Replace(const FShaderToken& Name, const FShaderMacro& Macro, std::deque<FShaderToken>& Input)
 	{
 		std::vector<FShaderTokens> Arguments;
@@ -300,7 +300,7 @@ private:
 		return Result;
 	}
 
-	/** Of what is put in for one call: refused before it fills the memory. */
+	/** Adds to the tokens put in for one call, which are refused before they fill the memory. */
 	void AddCost(size_t More, size_t& Cost)
 	{
 		Spend(More);

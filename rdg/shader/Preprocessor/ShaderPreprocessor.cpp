@@ -28,7 +28,7 @@ std::string QuotedPath(const std::string& Text)
 	return Close == std::string::npos ? std::string() : Text.substr(1, Close - 1);
 }
 
-/** "include" of `  # include "x"`, and what follows it; empty when the line is no directive. */
+/** "include" of ` # include "x"`, and what follows it; empty if the line is not a directive. */
 std::pair<std::string, std::string> SplitDirective(const std::string& Line)
 {
 	size_t i = Line.find_first_not_of(" \t");

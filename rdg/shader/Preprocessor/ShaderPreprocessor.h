@@ -1,5 +1,5 @@
-// The preprocessor of shaders: conditions, macros and includes are resolved before the front end sees the text, as the
-// engine's own preprocessor does, so that what is rewritten for the CPU is what the compiler would have read.
+// The preprocessor of shaders: it resolves conditions, macros and includes before the front end sees the text, as the
+// engine's own preprocessor does. The text rewritten for the CPU is then the text that the compiler would have read.
 #pragma once
 
 #include "Diagnostics.h"

@@ -52,7 +52,7 @@ std::vector<std::string> SplitArguments(const std::string& Text, size_t Open, si
 	return {};
 }
 
-/** What stands between quotes; adjacent literals are one, as in C. */
+/** The text between quotes; adjacent literals are one, as in C. */
 std::string Unquote(const std::string& Text)
 {
 	std::string Result;

@@ -1,4 +1,4 @@
-// What differs between two runs in how they were made: settings, effects, passes with what they wrote, and the rest.
+// Lists what differs in how two runs were made: settings, effects, passes with what they wrote, and the rest.
 import { Effect, Run, RunPass, Timing, shortName } from "../data";
 import { bytes, number, value } from "../format";
 

@@ -1,4 +1,4 @@
-// What the page of a comparison says: the types of diff.schema.json that it reads.
+// A comparison's data: the types of diff.schema.json that the page reads.
 import { PictureData, Run, Timing } from "../data";
 
 export interface Compared {

@@ -117,7 +117,7 @@ export class DiffPage {
 	private makeFigures(): HTMLElement {
 		const button = (image: Compared, what: "b" | "error", label: string) =>
 			el("button", { type: "button", class: "small", "data-show": what, onclick: () => this.show(image.name, what) }, label);
-		return section("pictures", "Figures", "Of the values as stored; what the viewer shows has eight bits.", table<Compared>([
+		return section("pictures", "Figures", "The figures are of the values as stored; the viewer shows eight bits.", table<Compared>([
 			{ title: "Picture", cell: (image) => image.name },
 			{ title: "Largest", number: true, cell: (image) => figure(image.max) },
 			{ title: "RMS", number: true, cell: (image) => figure(image.rms) },
@@ -140,6 +140,6 @@ export class DiffPage {
 				{ title: "Pass", cell: (line) => line.name },
 				{ title: "", cell: (line) => line.a },
 				{ title: "Textures that differ", cell: (line) => line.textures.join(", ") },
-			], wrote)) : rows.length ? el("p", { class: "note" }, "What passes wrote is compared where both runs had --fingerprints.") : null);
+			], wrote)) : rows.length ? el("p", { class: "note" }, "The textures that passes wrote are compared if both runs had --fingerprints.") : null);
 	}
 }

@@ -1,4 +1,4 @@
-// What the page knows of one pass: why, shader, parameters, cost, what it reads and writes, its pictures.
+// Shows what the page knows of one pass: why, shader, parameters, cost, what it reads and writes, its pictures.
 import { GraphPass, PictureData, Report, pictureUrl } from "../data";
 import { el, table } from "../dom";
 import { big, bytes, ms, number } from "../format";

@@ -1,4 +1,4 @@
-// What the page of a matrix says: the types of matrix.schema.json that it reads.
+// A matrix's data: the types of matrix.schema.json that the page reads.
 import { PictureData } from "../data";
 
 export interface MatrixMessage {

@@ -5,7 +5,7 @@ import { PicturePanel } from "../picture/panel";
 import { listAnswers, row, to } from "../sections/answers";
 import { MatrixReport, MatrixVersion, Said, gatherMessages } from "./data";
 
-/** Of the frame that was run. */
+/** Names the frame that was run. */
 export function nameConfig(report: MatrixReport): string {
 	const { config } = report.matrix;
 	return config.endsWith("/templates/matrix.json") ? "drydock's own small frame" : config;
@@ -99,7 +99,7 @@ export class MatrixPage {
 		}
 	}
 
-	/** Of a version whose picture is an earlier one's, that. */
+	/** The version whose picture a version has: an earlier one's, if they are the same. */
 	private findPicture(version: MatrixVersion): string | undefined {
 		const { versions } = this.report.matrix;
 		const before = versions.slice(0, versions.indexOf(version) + 1).reverse();

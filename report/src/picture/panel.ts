@@ -19,7 +19,7 @@ export interface PictureOptions {
 	a?: string; // what is shown first; the first picture by default
 	b?: string;
 	mode?: Mode;
-	/** Of a resource its shape and format. */
+	/** The shape and format of a resource. */
 	shape?: (resource: string) => string | undefined;
 	title?: string;
 	note?: string;
@@ -29,10 +29,10 @@ export interface PictureOptions {
 /** How the lists of pictures are parted. */
 const groups: [string, PictureData["role"][]][] = [
 	["Frame", ["final", "scene", "previous"]], ["Dumped passes", ["dump"]], ["Thumbnails", ["thumbnail"]], ["A", ["a"]], ["B", ["b"]],
-	["Where they differ", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
+	["Differences", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
 ];
 
-/** What tells pictures of one name apart in the strip. */
+/** Marks that tell pictures of one name apart in the strip. */
 const marks: Partial<Record<PictureData["role"], string>> = { a: "A  ", b: "B  ", error: "≠  " };
 
 export class PicturePanel {
@@ -297,7 +297,7 @@ export class PicturePanel {
 		const show = (value: number, exact: boolean) => (exact ? "" : "≈ ") + number(value) +
 			(precision === "8 bit" && this.a.encoding === "display" ? ` (${Math.round(value * 255)})` : "");
 		const exact = precision !== "8 bit" || this.a.encoding === "display";
-		// Of a picture that was made smaller for the page, the texel in its middle.
+		// The texel in the middle, for a picture that was made smaller for the page.
 		const place = (at: number, shown: number, whole: number) => (whole > shown ? Math.floor(((at + 0.5) * whole) / shown) : at);
 		const x = this.a.corner[0] + place(probe.x, this.pixels.width, this.a.size[0]);
 		const y = this.a.corner[1] + place(probe.y, this.pixels.height, this.a.size[1]);

@@ -22,7 +22,7 @@ export function linearToSrgb(value: number): number {
 	return value <= 0.0031308 ? value * 12.92 : 1.055 * Math.pow(value, 1 / 2.4) - 0.055;
 }
 
-/** What a half float's 16 bits are worth. */
+/** The number of a half float's 16 bits. */
 export function halfToNumber(bits: number): number {
 	const sign = bits & 0x8000 ? -1 : 1;
 	const exponent = (bits >> 10) & 31;
@@ -98,7 +98,7 @@ export interface Counts {
 	negative: number;
 }
 
-/** Of values: what the report measured, else what the numbers here say. */
+/** Counts odd values: as the report measured them, else from the numbers here. */
 export function countOdd(picture: PictureData, pixels: Pixels): Counts {
 	if (picture.figures) {
 		return picture.figures;
@@ -111,7 +111,7 @@ export function countOdd(picture: PictureData, pixels: Pixels): Counts {
 	return counts;
 }
 
-/** Of the display's range the part that holds all but a hundredth at each end. */
+/** The part of the display's range that holds all but a hundredth at each end. */
 export function findRange(pixels: Pixels, pick: (pixel: number) => number): [number, number] {
 	const step = Math.max(1, Math.floor((pixels.width * pixels.height) / 50000));
 	const values: number[] = [];

@@ -11,7 +11,7 @@ interface Layer {
 	canvas: HTMLCanvasElement;
 }
 
-/** Where a picture stands on the canvas, in CSS pixels. */
+/** A picture's place on the canvas, in CSS pixels. */
 interface Box {
 	x: number;
 	y: number;

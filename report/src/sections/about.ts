@@ -1,4 +1,4 @@
-// What the page is made of, and its keys, in two boxes that open on request.
+// Shows the parts of the page, and its keys, in two boxes that open on request.
 import { el } from "../dom";
 import { bytes, time } from "../format";
 
@@ -25,7 +25,7 @@ export function makeAbout(version: string, written: string, size: number): HTMLD
 	const total = PARTS.reduce((sum, part) => sum + part.bytes, 0);
 	return el<HTMLDialogElement>("dialog", { id: "about", "aria-label": "About" }, el("h2", {}, "About this page"),
 		el("p", {}, `Written by drydock ${version} on ${time(written)}. ${bytes(size)}, of which ${bytes(total)} are the page itself; it asks for nothing from the network.`),
-		el("p", {}, "Its data are one JSON, in the element #data; docs/report.md says what is in it."),
+		el("p", {}, "Its data are one JSON, in the element #data; docs/report.md describes it."),
 		el("div", { class: "table" }, el("table", {},
 			el("thead", {}, el("tr", {}, ["Part", "Version", "Licence", "Does", "Size"].map((title) => el("th", { scope: "col" }, title)))),
 			el("tbody", {}, PARTS.map((part) => el("tr", {}, el("td", {}, part.name), el("td", {}, part.version), el("td", {}, part.license), el("td", {}, part.does), el("td", { class: "number" }, bytes(part.bytes))))))),

@@ -72,7 +72,7 @@ function whereTime(report: Report): HTMLElement {
 	], [`Heap ${bytes(report.run.memory.transientPeakBytes)} at its peak`]);
 }
 
-/** What a person did to the frame: settings, effects, passes that differ between two runs. */
+/** Describes what a person did to the frame: settings, effects, passes that differ between two runs. */
 export function describeChanges(before: Run, now: Run): string[] {
 	const lines: string[] = [];
 	for (const [name, of] of Object.entries(now.settings)) {

@@ -1,4 +1,4 @@
-// What ran and what did not, why, and what that saved.
+// Shows which effects ran and which did not, why, and what that saved.
 import { Effect, Report } from "../data";
 import { el, section, table } from "../dom";
 import { bytes, ms } from "../format";
@@ -23,7 +23,7 @@ export function makeEffects(report: Report): HTMLElement {
 			{ title: "Time", number: true, cell: (row) => (cost(row.name)?.ms ? ms(cost(row.name)!.ms) : "") },
 			{ title: "Writes", number: true, cell: (row) => (cost(row.name)?.megabytes ? bytes(cost(row.name)!.megabytes * 1e6) : "") },
 		], rows, (row) => ({ class: row.active ? "" : "off" })),
-		compare ? el("h3", {}, "What leaving out saves") : null,
+		compare ? el("h3", {}, "Savings by leaving out") : null,
 		compare ? table([
 			{ title: "", cell: (row) => row[0] },
 			{ title: "This run", number: true, cell: (row) => row[1] },

@@ -1,4 +1,4 @@
-// What the run said, with ways to what it names; and who called which hook.
+// Shows the messages of the run, with links to what they name; and who called which hook.
 import { Message, Report, realPasses, shortName } from "../data";
 import { el, section, table } from "../dom";
 

@@ -1,4 +1,4 @@
-// Where the time of the process went, and that of the passes, beside the run before.
+// Shows where the time of the process and of the passes went, beside the run before.
 import { Report, Timing, shortName } from "../data";
 import { el, section, table } from "../dom";
 import { big, bytes, ms, number, percent } from "../format";

@@ -1,4 +1,4 @@
-// What the page of a sequence says: the types of sequence.schema.json that it reads.
+// A sequence's data: the types of sequence.schema.json that the page reads.
 import { PictureData, Walk } from "../data";
 
 export interface SequenceFrame {

@@ -1,4 +1,4 @@
-// What a volume tells the blend of itself. Source: engine PostProcessVolume.cpp.
+// Gives the blend a volume's distance and properties. Source: engine PostProcessVolume.cpp.
 #include "Engine/PostProcessVolume.h"
 
 bool APostProcessVolume::EncompassesPoint(FVector Point, float SphereRadius, float* OutDistanceToPoint) const

@@ -61,7 +61,7 @@ TEST_F(MyPatchTest, TheMiddleIsNearlyAsItWas)
 	EXPECT_NEAR(1.0f / 64.0f, GetPixel(Output, 4, 4).B, Tolerance);
 }
 
-// What goes wrong most often in the engine: a view that is only a part of its texture.
+// The most frequent fault in the engine: a view that is only a part of its texture.
 TEST_F(MyPatchTest, TheMiddleIsThatOfTheView)
 {
 	const Drydock::FFrameOutput Output =

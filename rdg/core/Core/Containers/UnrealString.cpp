@@ -383,7 +383,7 @@ int32 FString::ParseIntoArray(TArray<FString>& OutParts, const TCHAR* Separator,
 	{
 		const int32 Found = Find(Mark, ESearchCase::CaseSensitive, ESearchDir::FromStart, Start);
 		const int32 End = Found == INDEX_NONE ? Len() : Found;
-		// Nothing behind the last separator is no part.
+		// The empty text behind the last separator is not a part.
 		if (End > Start || (!bCullEmpty && Found != INDEX_NONE))
 		{
 			OutParts.Add(Mid(Start, End - Start));

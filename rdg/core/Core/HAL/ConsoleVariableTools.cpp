@@ -51,7 +51,7 @@ bool IsBool(const FString& Text)
 	return std::any_of(std::begin(Words), std::end(Words), [&Text](const TCHAR* Word) { return Text == Word; });
 }
 
-/** What a text for this variable has to be, or null if this one is right. */
+/** Describes the texts that this variable takes, or null if Text is one. */
 const TCHAR* FindExpectation(const IConsoleVariable& Variable, const TCHAR* Text)
 {
 	if (Variable.IsVariableBool())

@@ -1,4 +1,4 @@
-// The one initializer that the constructors of objects are given, and what is said of assets that code asks for.
+// The one initializer that the constructors of objects are given, and the messages about assets that code asks for.
 #include "UObject/Object.h"
 
 #include "Logging/LogMacros.h"

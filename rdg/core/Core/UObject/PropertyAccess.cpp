@@ -122,9 +122,8 @@ bool CheckStruct(
 	if (Struct == nullptr)
 	{
 		OutProblem = {FPropertyProblem::EKind::NotGiven, Path,
-			"values of this type cannot be given: it is no number, text, enum, colour, vector, USTRUCT of the plugin "
-			"or "
-			"array of these"};
+			"values of this type cannot be given: it is not a number, text, enum, colour, vector, USTRUCT of the "
+			"plugin or array of these"};
 		return false;
 	}
 	if (Value.Kind != EKind::Fields)

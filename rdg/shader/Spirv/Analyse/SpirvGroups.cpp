@@ -37,7 +37,7 @@ bool Commutes(uint16_t Op)
 	return Op >= OpAtomicIIncrement;
 }
 
-/** What else is done to the memory that a buffer's or texture's atomics change. */
+/** Other uses of the memory that a buffer's or texture's atomics change. */
 struct FSharedMemory
 {
 	std::set<uint16_t> Kinds;
@@ -45,7 +45,7 @@ struct FSharedMemory
 	bool bOrderSeen = false;
 };
 
-/** The variable that stands for a buffer's memory: of several views of it the first. */
+/** The variable that stands for a buffer's memory: the first of several views of it. */
 uint32_t GetMemoryId(const FSpirvModule& Module, uint32_t Id)
 {
 	const FSpirvVariable* const Variable = Module.FindVariable(Id);

@@ -91,7 +91,7 @@ private:
 	{
 		return I && I->Line ? Module.Files[I->File] + ":" + std::to_string(I->Line) : std::string();
 	}
-	/** Where the text gives the variable its semantic, else at the first place that uses it. */
+	/** Refuses at the place where the text gives the variable its semantic, else at its first use. */
 	[[noreturn]] void Refuse(const FSpirvVariable& Variable, const std::string& Message)
 	{
 		const std::string Member = Variable.Name.substr(Variable.Name.rfind('.') + 1); // of a struct

@@ -284,8 +284,7 @@ void FSpirvEmitter::EmitIf(const FStructNode& Node)
 	{
 		const std::string Label = std::to_string(Node.Label);
 		const bool bEscapes = Escapes(Node) || bWaits;
-		// Where all lanes come back, the mask before is the mask after; else the lanes at the end of each side are
-		// joined.
+		// If all lanes come back, the mask before is the mask after; else the lanes at the end of each side are joined.
 		const std::string Before = "s" + Label;
 		const std::string Taken = "c" + Label;
 		OpenScope("");

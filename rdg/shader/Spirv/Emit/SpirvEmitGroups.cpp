@@ -324,7 +324,7 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadGroupInput(const FSpirvVariable& Var
 	}
 }
 
-/** Where each declared name lives: with its segment, where no other needs it, or with the group. */
+/** Declares each name in the one segment that needs it, or else in the group. */
 std::string FSpirvEmitter::PlaceDeclarations(std::string& InitialText)
 {
 	std::vector<std::set<std::string>> NamesOf;

@@ -192,8 +192,7 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 			const bool b3D = Type.Dim == Dim3D;
 			const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
 			const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
-			// What a shader also writes is no stranger to its rows.
-			// Integers have no taps; what a shader also writes has none either.
+			// Integers have no taps, nor do textures that the shader also writes.
 			const std::string Tap = Offset || I.Op == OpImageRead ? std::string() : TapOf(I, MipId);
 			if (Tap.empty())
 			{

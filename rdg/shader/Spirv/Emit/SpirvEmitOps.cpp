@@ -69,7 +69,7 @@ constexpr FEmitPattern Extended[] = {
 };
 // clang-format on
 
-/** What an operation of Kind takes its operands as. */
+/** The type that an operation of Kind takes its operands as. */
 ESpirvType GetPatternKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Result)
 {
 	return Kind == Any     ? Result
@@ -79,8 +79,8 @@ ESpirvType GetPatternKind(ESpirvType Kind, ESpirvType Operands, ESpirvType Resul
 						   : Kind;
 }
 
-/** Where a width has a text of its own: 16 bits are held in 32. The optimiser makes Fma of a product and a sum that the
- * author wrote, so both are rounded. */
+/** The pattern's text, or another one for 16 bits, which are held in 32. The optimiser makes Fma of a product and a sum
+ * that the author wrote, so both are rounded. */
 const char* GetText(const FEmitPattern& Pattern, uint16_t Op, ESpirvType Kind)
 {
 	if (Kind == ESpirvType::Half && Op == OpExtInst && Pattern.Op == ExtFma)

@@ -123,7 +123,8 @@ bool FSpirvEmitter::EmitQuads(const FSpirvInstruction& I)
 	}
 }
 
-/** Around the code of a pack. What stands still over a tile stands before it; nothing stands still over a row. */
+/** Puts the loops around the code of a pack. Code that is the same over a tile stands before them; no code is kept for
+ * a row. */
 std::string FSpirvEmitter::EmitQuadRun()
 {
 	std::string Text;

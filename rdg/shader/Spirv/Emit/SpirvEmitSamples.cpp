@@ -126,7 +126,7 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 		}
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
 		{
-			// Of four offsets each moves its own texel, as in Direct3D; Vulkan takes the upper left one of all.
+			// Each of four offsets moves its own texel, as in Direct3D; Vulkan takes the upper left one of all.
 			const std::string Text = Name + "_" + Number(Told.Offsets ? i : 0) + "[" + Number(i) + "]";
 			Define(I.Result, i, {Text, Float, true, -1});
 		}

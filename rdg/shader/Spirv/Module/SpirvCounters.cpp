@@ -15,7 +15,7 @@ namespace
 
 constexpr uint32_t CounterBytes = 4;
 
-/** The buffer's name; empty: Variable is no counter. */
+/** The buffer's name; empty: Variable is not a counter. */
 std::string FindCounted(const FSpirvModule& Module, const FSpirvVariable& Variable)
 {
 	const std::string Suffix = "@count";
@@ -29,7 +29,7 @@ std::string FindCounted(const FSpirvModule& Module, const FSpirvVariable& Variab
 										   : std::string();
 }
 
-/** A block of one integer of 32 bits, which is no part of another type. */
+/** A block of one integer of 32 bits, which is not part of another type. */
 bool IsCounterBlock(const FSpirvModule& Module, uint32_t Id)
 {
 	const FSpirvType& Type = Module.GetType(Id);

@@ -31,8 +31,8 @@ FSpirvInstruction MakeAfter(const FSpirvInstruction& Before, uint16_t Op, std::v
 	return {Op, 0, 0, std::move(Operands), Before.File, Before.Line};
 }
 
-/** What is done on the way to a discard is nobody's to see but in memory that others read: variables of the thread keep
- *  what they had, whether or not an optimiser took these stores away. */
+/** Stores on the way to a discard show only in memory that others read. Variables of the thread keep their values,
+ * whether or not an optimiser took these stores away. */
 void DropStores(const FSpirvModule& Module, FSpirvBlock& Block)
 {
 	std::erase_if(Block.Instructions,

@@ -1,4 +1,4 @@
-// How often a loop runs, where its text says so: for (i = A; i < B; i += C) with constants.
+// Finds how often a loop runs, if it is for (i = A; i < B; i += C) with constants.
 #include "SpirvTurns.h"
 
 #include <algorithm>

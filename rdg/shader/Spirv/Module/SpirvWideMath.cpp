@@ -186,7 +186,7 @@ uint64_t ConvertSpirv(uint16_t Op, ESpirvType From, ESpirvType To, uint64_t Word
 	const bool bSigned = Op == OpConvertSToF || Op == OpSConvert;
 	if (!IsSpirvReal(To))
 	{
-		// The operation says which range a real is cut to, its type only how the bits are held.
+		// The operation sets the range that a real is cut to; its type sets only how the bits are held.
 		const ESpirvType Range = Op == OpConvertFToS ? GetSpirvSigned(To) : GetSpirvUnsigned(To);
 		const bool bReal = Op == OpConvertFToS || Op == OpConvertFToU;
 		return MakeInteger(To, bReal ? SaturateTo(Range, GetNumber<Real>(From, Word)) : Extend(From, Word, bSigned));

@@ -107,7 +107,7 @@ void FSpirvChecker::CheckWave(const FSpirvInstruction& I)
 	}
 }
 
-/** What the pixels of a quad do together. */
+/** Checks what the pixels of a quad do together. */
 void FSpirvChecker::CheckQuad(const FSpirvInstruction& I)
 {
 	if (IsSpirvWave(I.Op))

@@ -1,5 +1,5 @@
 // Checks a module once, so that no later stage needs to: each operand is a value of the size that the instruction
-// expects. What the CPU tier does not do is refused here, with the line and what to write instead.
+// expects. Instructions that the CPU tier lacks are refused here, with the line and a replacement.
 #include "SpirvChecker.h"
 
 #include "SpirvQuads.h"

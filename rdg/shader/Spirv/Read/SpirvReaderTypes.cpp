@@ -1,4 +1,4 @@
-// What a module declares outside of its function. Source: Khronos, SPIR-V specification 1.0.
+// Reads what a module declares outside its functions. Source: Khronos, SPIR-V specification 1.0.
 #include "SpirvReaderImpl.h"
 
 #include "SpirvLimits.h"

@@ -1,5 +1,4 @@
-// Runs all threads of one group of a compute shader, or of a quad of pixels, one after the other, from one waiting
-// place to the next.
+// Runs all threads of a compute shader's group, or of a quad of pixels, in turn, from one waiting place to the next.
 #pragma once
 
 #include "SpirvThread.h"

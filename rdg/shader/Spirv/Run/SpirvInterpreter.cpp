@@ -110,7 +110,7 @@ FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVerte
 	const FSpirvModule& Module = Impl->Program.Module;
 	if (Module.ExecutionModel != ExecutionModelVertex)
 	{
-		Module.Fail("this is no vertex shader");
+		Module.Fail("this is not a vertex shader");
 	}
 	Impl->Thread.Run(Args, {0, 0, 0}, &Input, MaxSteps);
 	FVertexOutput Output;

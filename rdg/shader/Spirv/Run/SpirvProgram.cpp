@@ -204,7 +204,7 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 	}
 	if (I.Op == OpLoad || I.Op == OpStore || IsSpirvAtomic(I.Op))
 	{
-		// Of a whole variable or parameter there is no chain: its place begins at 0.
+		// A whole variable or parameter has no chain: its place begins at 0.
 		const FSpirvType& Base = Module.GetValueType(I.Operands.at(0));
 		const bool bBytes = Base.Storage == StorageUniform || Base.Storage == StorageStorageBuffer;
 		if (bBytes)

@@ -265,7 +265,7 @@ bool TSpirvThread<Real>::Advance(uint64_t MaxSteps)
 	return false;
 }
 
-/** False: the step is no call of a function of the module. */
+/** False: the step does not call a function of the module. */
 template<typename Real>
 bool TSpirvThread<Real>::ExecuteCall(const FSpirvStep& Step)
 {

@@ -159,7 +159,7 @@ void TSpirvThread<Real>::FollowUndefined(const FSpirvStep& Step)
 		Last = std::min<size_t>(Last, 3);
 		break;
 	default:
-		// Behind the scope, arithmetic has a literal that says how far it goes.
+		// Behind the scope, arithmetic has a literal for its extent.
 		First = IsSpirvWave(I.Op) ? (I.Operands.size() > 2 && HasGroupOperation(I.Op) ? 2 : 1) : 0;
 		break;
 	}

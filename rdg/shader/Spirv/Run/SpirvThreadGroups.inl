@@ -1,4 +1,4 @@
-// What threads of a group do together: waiting for each other, atomics.
+// Runs what threads of a group do together: waiting for each other, atomics.
 #pragma once
 
 #include "SpirvThread.h"

@@ -1,5 +1,5 @@
-// What the four pixels of a quad do together: derivatives, and samples that choose their level by them. The same rules
-// as in LanesQuads.h.
+// Runs what the four pixels of a quad do together: derivatives, and samples that choose their level by them. The same
+// rules as in LanesQuads.h.
 #pragma once
 
 #include "SpirvImageOperands.h"

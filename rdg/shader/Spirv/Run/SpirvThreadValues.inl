@@ -350,7 +350,7 @@ bool TSpirvThread<Real>::ExecuteGeometric(const FSpirvStep& Step)
 	}
 }
 
-/** What has more than a line of arithmetic: the kernels' own functions. */
+/** Executes operations of more than a line of arithmetic by the kernels' own functions. */
 template<typename Real>
 template<typename Number, int Count>
 bool TSpirvThread<Real>::ExecuteWithVectors(const FSpirvStep& Step)

@@ -15,7 +15,7 @@ using namespace Spirv;
 namespace Waves
 {
 
-/** What SPIR-V's wave arithmetic does to two numbers; words of reals are reals. */
+/** Combines two numbers as SPIR-V's wave arithmetic does; words of reals are reals. */
 template<typename Real>
 TSpirvWord<Real> Combine(uint16_t Op, TSpirvWord<Real> A, TSpirvWord<Real> B)
 {

@@ -179,7 +179,7 @@ TEST(ShaderPreprocessor, MistakesHaveFileLineAndReason)
 	EXPECT_THAT(Preprocess("#define F(A) A\nF(1\n").Errors, HasSubstr("'F' has no closing parenthesis"));
 	EXPECT_THAT(Preprocess("#if 1 +\n#endif\n").Errors, HasSubstr("it ends where a value is expected"));
 	EXPECT_THAT(Preprocess("#if 1 / 0\n#endif\n").Errors, HasSubstr("a division by zero"));
-	EXPECT_THAT(Preprocess("#if 0.5\n#endif\n").Errors, HasSubstr("'0.5' is no integer"));
+	EXPECT_THAT(Preprocess("#if 0.5\n#endif\n").Errors, HasSubstr("'0.5' is not an integer"));
 	EXPECT_THAT(Preprocess("#error \"say so\"\n").Errors, HasSubstr("#error \"say so\""));
 	EXPECT_THAT(Preprocess("#includ \"x\"\n").Errors, HasSubstr("there is no directive #includ"));
 }

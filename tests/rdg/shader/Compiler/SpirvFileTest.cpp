@@ -224,7 +224,7 @@ TEST(SpirvFile, WhatIsNoModuleIsRefused)
 {
 	const std::string Good = ToBytes(MakeWords());
 	EXPECT_EQ("", ErrorOfBytes(Good));
-	EXPECT_THAT(ErrorOfBytes(Good.substr(0, 30)), HasSubstr("error DD6004: this file is no SPIR-V: it has 30 bytes"));
+	EXPECT_THAT(ErrorOfBytes(Good.substr(0, 30)), HasSubstr("error DD6004: this file is not SPIR-V: it has 30 bytes"));
 	EXPECT_THAT(ErrorOfBytes(""), HasSubstr("it has 0 bytes"));
 	EXPECT_THAT(ErrorOfBytes("float4 Main() {     }"
 							 "   "),

@@ -111,7 +111,7 @@ TEST_F(FTrustedFolderTest, EntriesAreCheckedToo)
 	fs::create_symlink(Entry, fs::path(Path) / "ab" / "link");
 	EXPECT_EQ("is a symbolic link", Folder.Open("ab/link").Fault);
 	ASSERT_EQ(0, mkfifo((fs::path(Path) / "ab" / "pipe").c_str(), 0600));
-	EXPECT_EQ("is no file", Folder.Open("ab/pipe").Fault); // and nobody waits for a writer
+	EXPECT_EQ("is not a file", Folder.Open("ab/pipe").Fault); // and nobody waits for a writer
 
 	chmod((fs::path(Path) / "ab").c_str(), 0777);
 	EXPECT_EQ("can be written by others (mode 0777)", Folder.Open("ab/entry").Fault);
