@@ -17,10 +17,12 @@ file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}/elsewhere")
 run_step("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
 
-# The public face: headers of rdg, settings and passes, the engine's names for them, and one of the pipeline's.
+# The public face: headers that plugins and engine-style tests need, the engine's names for them, and one of the pipeline's.
+# The inside of the shader tier is not there.
 file(GLOB_RECURSE Headers RELATIVE "${WORK}/prefix/include/drydock" "${WORK}/prefix/include/drydock/*")
 foreach(Header IN LISTS Headers)
-	if(NOT Header MATCHES "^(rdg/core|rdg/graph|rdg/shader/Lanes|settings|passes|engine)/.*[.](h|inl)$" AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
+	if((NOT Header MATCHES "^(rdg/core|rdg/graph|rdg/shader/Lanes|settings|passes|engine)/.*[.](h|inl)$"
+			OR Header MATCHES "^(passes/Native|settings/Text)/") AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
 		message(FATAL_ERROR "${Header} is installed, which is no affair of plugins")
 	endif()
 endforeach()

@@ -220,8 +220,8 @@ INSTANTIATE_TEST_SUITE_P(Table, SettingPlanOfField, testing::Range<size_t>(0, Ge
 
 TEST(NewSetting, IsOneLineOfTheTable)
 {
-	EXPECT_EQ("DRYDOCK_SETTING(float, BloomSparkle, 0.5f, Anything, \"\", \"Lens|Bloom\", Lerp, \"What BloomSparkle "
-			  "does.\")",
+	EXPECT_EQ("DRYDOCK_SETTING(float, BloomSparkle, 0.5f, Anything, \"\", \"Lens|Bloom\", Lerp, \"Effect of "
+			  "BloomSparkle.\")",
 		MakeTableLine(Make("BloomSparkle", "float", "0.5")));
 	EXPECT_NE(
 		std::string::npos, FormatSettingPlan(Make("BloomSparkle", "float", "0.5")).find("PostProcessSettingsTable.h"));
