@@ -1,9 +1,9 @@
 // Reads the stability table (Table.h).
 #include "Table.h"
 
+#include <cctype>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -99,29 +99,44 @@ private:
 			GiveCells(Own, Line.substr(1));
 			return;
 		}
-		static const std::regex Header("\\[(.+?)\\] (\\S+?)( [^:]+)?(: (\\[(.+)\\] ?)?(.*))?");
-		static const std::regex NameAndCells("(\\w+) = (.+)");
-		std::smatch Parts;
-		if (std::regex_match(Line, Parts, Header))
+		if (Line[0] == '[')
 		{
-			FRow Row{.Name = Parts[1], .Header = Parts[2], .Words = Split(Parts[3]), .Place = Place};
-			if (Parts[6].matched)
-			{
-				const size_t Other = FindByName(Rows, Parts[6]);
-				Require(Other < Rows.size(), "there is no row " + Parts[6].str());
-				Row.Cells = Rows[Other].Cells;
-			}
-			FCells OfNames;
-			GiveNames(OfNames, Parts[7]);
-			Overlay(Row.Cells, OfNames);
-			Rows.push_back(Row);
-			bInRow = true;
+			ReadHeader(Line);
 			return;
 		}
-		Require(std::regex_match(Line, Parts, NameAndCells),
-			"expected [Row] Header.h, or Name = cells, or a tab and cells");
-		FCells& Cells = Named[Parts[1]];
-		Line.find(": ") == std::string::npos ? GiveNames(Cells, Parts[2]) : GiveCells(Cells, Parts[2]);
+		const size_t Equals = Line.find(" = ");
+		Require(Equals != std::string::npos, "expected [Row] Header.h, or Name = cells, or a tab and cells");
+		FCells& Cells = Named[Line.substr(0, Equals)];
+		const std::string Right = Line.substr(Equals + 3);
+		Right.find(": ") == std::string::npos ? GiveNames(Cells, Right) : GiveCells(Cells, Right);
+	}
+
+	/** [Row] path/of/its/Header.h Word Word: [Other row] Name Name */
+	void ReadHeader(const std::string& Line)
+	{
+		const size_t End = std::min(Line.find(']'), Line.size() - 1);
+		const size_t Colon = Line.find(": ", End);
+		const std::vector<std::string> Words = Split(Line.substr(End + 1, Colon - End - 1));
+		Require(!Words.empty(), "expected a header after [Row]");
+		FRow Row{.Name = Line.substr(1, End - 1),
+			.Header = Words[0],
+			.Words = {Words.begin() + 1, Words.end()},
+			.Place = Place};
+		std::string Names = Colon == std::string::npos ? "" : Line.substr(Colon + 2);
+		if (Names.starts_with("["))
+		{
+			const size_t EndOfOther = Names.find(']');
+			const std::string Other = Names.substr(1, EndOfOther - 1);
+			const size_t Found = FindByName(Rows, Other);
+			Require(Found < Rows.size(), "there is no row " + Other);
+			Row.Cells = Rows[Found].Cells;
+			Names = Names.substr(EndOfOther + 1);
+		}
+		FCells OfNames;
+		GiveNames(OfNames, Names);
+		Overlay(Row.Cells, OfNames);
+		Rows.push_back(Row);
+		bInRow = true;
 	}
 
 	void FinishRow()
@@ -173,15 +188,16 @@ private:
 		std::stringstream Groups(Line.substr(0, Colon));
 		for (std::string Group; std::getline(Groups >> std::ws, Group, ',');)
 		{
-			static const std::regex HazardsAndExpectation("(.+) ([A-Za-z]+)( [0-9][-.e0-9]*)?");
-			std::smatch Parts;
-			Require(std::regex_match(Group, Parts, HazardsAndExpectation),
-				"expected hazards, an expectation and perhaps a bound: " + Group);
-			const size_t Expect = FindByName(Expectations, Parts[2]);
-			Require(Expect < std::size(Expectations), "there is no expectation " + Parts[2].str());
+			std::vector<std::string> Words = Split(Group);
+			const bool bBound = !Words.empty() && std::isdigit(static_cast<unsigned char>(Words.back()[0])) != 0;
+			Cell.Bound = bBound ? std::stod(Words.back()) : 0.0;
+			Words.resize(Words.size() - (bBound ? 1 : 0));
+			Require(Words.size() >= 2, "expected hazards, an expectation and perhaps a bound: " + Group);
+			const size_t Expect = FindByName(Expectations, Words.back());
+			Require(Expect < std::size(Expectations), "there is no expectation " + Words.back());
 			Cell.Expect = static_cast<EExpect>(Expect);
-			Cell.Bound = Parts[3].matched ? std::stod(Parts[3]) : 0.0;
-			for (const std::string& Word : Split(Parts[1]))
+			Words.pop_back();
+			for (const std::string& Word : Words)
 			{
 				const size_t Dots = Word.find("..");
 				const size_t First = FindHazard(Word.substr(0, Dots));
