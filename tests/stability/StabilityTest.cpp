@@ -34,7 +34,6 @@ struct FTestedCell
 	EHazard Hazard;
 
 	const FCell& Get() const { return Row->Cells[Hazard]; }
-	std::string GetName() const { return MakeName(Row->Name) + "__" + Hazards[static_cast<size_t>(Hazard)].Name; }
 };
 
 void PrintTo(const FTestedCell& Cell, std::ostream* Stream)
@@ -61,7 +60,7 @@ std::vector<FTestedCell> GetCells(const char* Folder)
 
 std::string GetCellName(const testing::TestParamInfo<FTestedCell>& Info)
 {
-	return Info.param.GetName();
+	return MakeName(Info.param.Row->Name) + "__" + Hazards[static_cast<size_t>(Info.param.Hazard)].Name;
 }
 
 using PassCells = testing::TestWithParam<FTestedCell>;

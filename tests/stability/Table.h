@@ -8,8 +8,8 @@
 //   Name = Name Name
 //
 // A row takes the cells of the other row first, then those of the names, then its own. Own cells replace the cells of
-// names, and these replace the cells of the other row. First..Last is all columns between both. A line of a name adds
-// cells to it. A line that begins with two tabs continues the line before it, and # begins a comment.
+// names, and these replace the cells of the other row. First..Last names both columns and all between them. A line of
+// a name adds cells to it. A line that begins with two tabs continues the line before it, and # begins a comment.
 #pragma once
 
 #include "Hazards.h"
