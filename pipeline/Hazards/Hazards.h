@@ -10,8 +10,8 @@ namespace Drydock
 /** X(member of a row, group, title, what the case is). HazardPictures.cpp makes the picture of each case. */
 #define STABILITY_HAZARDS(X) \
 	X(NaN, Values, "NaN", "one pixel of a noise picture is NaN in red, green and blue") \
-	X(PlusInf, Values, "+Inf", "likewise +Inf") \
-	X(MinusInf, Values, "-Inf", "likewise -Inf") \
+	X(PlusInf, Values, "+Inf", "one pixel of a noise picture is +Inf in red, green and blue") \
+	X(MinusInf, Values, "-Inf", "one pixel of a noise picture is -Inf in red, green and blue") \
 	X(LargestHalf, Values, "65504", "every pixel is 65504, the largest half") \
 	X(BeyondHalf, Values, "65520", \
 		"one pixel is 65520, the first value that a half does not hold; then 65519, which it does") \

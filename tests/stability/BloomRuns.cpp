@@ -16,6 +16,10 @@ using namespace Drydock;
 namespace Stability
 {
 
+namespace
+{
+
+/** Threshold: -1, none. Variants: pixel shader, compute. */
 FImage RunBloomSetup(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -34,6 +38,7 @@ FImage BloomSetupFormula(const FCase& Case)
 		{ return PassReference::BloomSetup(Case.Image.At(X, Y), Case.Threshold.value_or(-1.0), 1.0, 1.0); });
 }
 
+/** Intensity: of the toon, 1. Variants: pixel shader, compute. */
 FImage RunToonBloomMask(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -52,6 +57,7 @@ FImage ToonBloomMaskFormula(const FCase& Case)
 		{ return Case.Image.At(X, Y) * (FFrameRun::IsCloth(X) ? Case.Intensity.value_or(1.0) : 1.0); });
 }
 
+/** Intensity: of the bloom, 1. Sigma: half of every stage's size. The default stages. */
 FImage RunGaussianBloom(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -72,6 +78,7 @@ FImage RunGaussianBloom(const FCase& Case)
 	return FImage(Case.Image.Width, Case.Image.Height);
 }
 
+/** Intensity: 1. The built-in kernel, half a picture wide. */
 FImage RunFFTBloom(const FCase& Case)
 {
 	const PassTest::FScopedConsoleVariable FullResolution(TEXT("r.Bloom.ScreenPercentage"), 100.0f);
@@ -114,10 +121,10 @@ FImage RunFFTConvolution(const FCase& Case)
 	return Run.Execute(Output);
 }
 
-namespace
-{
-
-FImage RunUnity(const FCase& Case, bool bAsPrinted)
+/** Threshold -1, two iterations, spread (Sigma) 0.6, small target (Levels) half, intensity 1. Variants: sharp, soft
+ *  knee. */
+template<bool bAsPrinted>
+FImage RunUnityBloom(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FUnityBloomInputs Inputs;
@@ -132,16 +139,16 @@ FImage RunUnity(const FCase& Case, bool bAsPrinted)
 	return Run.Execute(AddUnityBloomPasses(Run.GraphBuilder, Run.View, Inputs));
 }
 
+const FRunRegistration BloomRuns({
+	{"Bloom setup", {.Run = RunBloomSetup, .Formula = BloomSetupFormula, .NumVariants = 2}},
+	{"Toon bloom mask", {.Run = RunToonBloomMask, .Formula = ToonBloomMaskFormula, .NumVariants = 2}},
+	{"Bloom, sum of Gaussians", {.Run = RunGaussianBloom, .Gain = 0.7951 / 6}},
+	{"Bloom, FFT", {.Run = RunFFTBloom}},
+	{"FFT convolution", {.Run = RunFFTConvolution}},
+	{"Unity bloom", {.Run = RunUnityBloom<false>, .NumVariants = 2, .Reach = 18, .Gain = 2}},
+	{"Unity bloom as printed", {.Run = RunUnityBloom<true>, .Reach = 18, .Gain = 2}},
+});
+
 } // namespace
-
-FImage RunUnityBloom(const FCase& Case)
-{
-	return RunUnity(Case, false);
-}
-
-FImage RunUnityBloomAsPrinted(const FCase& Case)
-{
-	return RunUnity(Case, true);
-}
 
 } // namespace Stability

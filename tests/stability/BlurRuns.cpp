@@ -19,15 +19,10 @@ namespace Stability
 namespace
 {
 
-enum class EEdge
-{
-	Clamp,
-	Mirror,
-	Black
-};
-
-/** The engine's kernel has a standard deviation of 0.17303 of its radius; radii are of half a texel's size. */
-FImage RunGaussian(const FCase& Case, EEdge Edge)
+/** Sigma: 1, a radius of 6. Intensity: the tint. The engine's kernel has a standard deviation of 0.17303 of its radius;
+ *  radii are of half a texel's size. Variants: without a border clamp, mirror. */
+template<bool bBorder>
+FImage RunGaussianBlur(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FGaussianBlurInputs Inputs;
@@ -38,12 +33,14 @@ FImage RunGaussian(const FCase& Case, EEdge Edge)
 	Inputs.KernelSizePercent = static_cast<float>(200.0 * Radius / Case.Image.Width);
 	const float Tint = static_cast<float>(Case.Intensity.value_or(1.0));
 	Inputs.TintColor = FLinearColor(Tint, Tint, Tint, Tint);
-	Inputs.UseClampAddressMode = Edge == EEdge::Clamp;
-	Inputs.UseMirrorAddressMode = Edge == EEdge::Mirror;
+	Inputs.UseClampAddressMode = !bBorder && Case.Variant == 0;
+	Inputs.UseMirrorAddressMode = !bBorder && Case.Variant == 1;
 	return Run.Execute(AddGaussianBlurPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-FImage RunDual(const FCase& Case, bool bAsPrinted)
+/** Levels: 2. Sigma: the offset, 1. */
+template<bool bAsPrinted>
+FImage RunDualKawase(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FDualKawaseBlurInputs Inputs;
@@ -54,28 +51,7 @@ FImage RunDual(const FCase& Case, bool bAsPrinted)
 	return Run.Execute(AddDualKawaseBlurPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-} // namespace
-
-FImage RunGaussianBlur(const FCase& Case)
-{
-	return RunGaussian(Case, Case.Variant == 0 ? EEdge::Clamp : EEdge::Mirror);
-}
-
-FImage RunGaussianBlurBorder(const FCase& Case)
-{
-	return RunGaussian(Case, EEdge::Black);
-}
-
-FImage RunDualKawase(const FCase& Case)
-{
-	return RunDual(Case, false);
-}
-
-FImage RunDualKawaseAsPrinted(const FCase& Case)
-{
-	return RunDual(Case, true);
-}
-
+/** Sigma: 2. Variants: separable, direct. */
 FImage RunDualKawaseGaussian(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -87,12 +63,14 @@ FImage RunDualKawaseGaussian(const FCase& Case)
 	return Run.Execute(AddMatchedGaussianBlurPasses(Run.GraphBuilder, Run.View, Inputs));
 }
 
+/** Sigma: 3. */
 FImage RunKawase(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	return Run.Execute(AddKawaseBlurPasses(Run.GraphBuilder, Run.View, Run.Input, Case.Sigma.value_or(3.0)));
 }
 
+/** Sigma: 3. */
 FImage RunPyramid(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -100,6 +78,7 @@ FImage RunPyramid(const FCase& Case)
 	return Run.Execute(AddPyramidBlurPasses(Run.GraphBuilder, Run.View, Run.Input, Sigma));
 }
 
+/** Two stages, clamp addressing. Sigma: half the stages' size. */
 FImage RunTextureBlur(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -126,5 +105,18 @@ FImage RunTextureBlur(const FCase& Case)
 	Run.GraphBuilder.Execute();
 	return FImage((Case.Image.Width + 1) / 2, (Case.Image.Height + 1) / 2);
 }
+
+const FRunRegistration BlurRuns({
+	{"Gaussian blur: clamp, mirror", {.Run = RunGaussianBlur<false>, .NumVariants = 2, .Reach = 6}},
+	{"Gaussian blur: black border", {.Run = RunGaussianBlur<true>, .Reach = 6}},
+	{"Dual Kawase blur", {.Run = RunDualKawase<false>, .Reach = 16}},
+	{"Dual Kawase blur as printed", {.Run = RunDualKawase<true>}},
+	{"Gaussian of dual Kawase", {.Run = RunDualKawaseGaussian, .NumVariants = 2, .Reach = 6}},
+	{"Kawase blur", {.Run = RunKawase, .Reach = 7}},
+	{"Pyramid blur", {.Run = RunPyramid, .Reach = 18}},
+	{"Texture blur", {.Run = RunTextureBlur, .Shrink = 2, .Reach = 18}},
+});
+
+} // namespace
 
 } // namespace Stability

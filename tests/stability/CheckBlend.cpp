@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace Stability
@@ -29,9 +30,27 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Base = 0.25;
 
-const FSettingField& GetField(const FBlendRow& Row)
+enum class EBlendForm
 {
-	return *Drydock::FindSettingField(Row.Setting);
+	Volumes,   // the setting, in two unbound volumes
+	Table,     // weight of a colour grading table, by ColorGradingIntensity
+	Cubemap,   // colour of a cubemap, by AmbientCubemapIntensity
+	Blendable, // weight of a blendable
+	Distance,  // weight of a volume of radius 100, by the distance
+	Parts,     // FPostProcessUtils::BlendPostProcessSettings
+};
+
+EBlendForm GetForm(const FRow& Row)
+{
+	static const std::map<std::string, EBlendForm> Forms = {{"Volumes", EBlendForm::Volumes},
+		{"Table", EBlendForm::Table}, {"Cubemap", EBlendForm::Cubemap}, {"Blendable", EBlendForm::Blendable},
+		{"Distance", EBlendForm::Distance}, {"Parts", EBlendForm::Parts}};
+	return Forms.at(Row.Words.at(0));
+}
+
+const FSettingField& GetField(const FRow& Row)
+{
+	return *Drydock::FindSettingField(Row.Words.at(1));
 }
 
 /** Objects stand for numbers: null for 0. */
@@ -96,9 +115,9 @@ FPostProcessSettings GiveBlendable(double Weight)
 	return Settings;
 }
 
-FNumbers Blend(const FBlendRow& Row, double From, double Source, float Weight)
+FNumbers Blend(const FRow& Row, double From, double Source, float Weight)
 {
-	switch (Row.Form)
+	switch (GetForm(Row))
 	{
 	case EBlendForm::Volumes:
 		return Read(GetField(Row), BlendVolumes(Give(GetField(Row), From), Give(GetField(Row), Source), Weight));
@@ -197,7 +216,7 @@ double GetValue(EHazard Hazard)
 }
 
 /** Over weights from 0 to 1, from the base to the source. */
-std::string CheckBetweenEnds(const FBlendRow& Row, double Source)
+std::string CheckBetweenEnds(const FRow& Row, double Source)
 {
 	const FNumbers First = Blend(Row, Base, Source, 0.0f), Last = Blend(Row, Base, Source, 1.0f);
 	FNumbers Before = First;
@@ -221,7 +240,7 @@ std::string CheckBetweenEnds(const FBlendRow& Row, double Source)
 			   : Say("not exact at its ends", Last);
 }
 
-std::string CheckClamped(const FBlendRow& Row, EHazard Hazard)
+std::string CheckClamped(const FRow& Row, EHazard Hazard)
 {
 	if (Hazard != EHazard::WeightOutside)
 	{
@@ -234,7 +253,7 @@ std::string CheckClamped(const FBlendRow& Row, EHazard Hazard)
 		{-1.0f, 0.0f}, {std::numeric_limits<float>::quiet_NaN(), 0.0f}, {2.0f, 1.0f}};
 	for (const auto& [Weight, Nearest] : Weights)
 	{
-		const double Source = Row.Form == EBlendForm::Distance ? 25.0 : 1.0;
+		const double Source = GetForm(Row) == EBlendForm::Distance ? 25.0 : 1.0;
 		const FNumbers Found = Blend(Row, Base, Source, Weight);
 		if (!HaveSameBits(Found, Blend(Row, Base, Source, Nearest)))
 		{
@@ -244,7 +263,7 @@ std::string CheckClamped(const FBlendRow& Row, EHazard Hazard)
 	return "";
 }
 
-std::string CheckByDeclaration(const FBlendRow& Row)
+std::string CheckByDeclaration(const FRow& Row)
 {
 	const FSettingField& Field = GetField(Row);
 	const double First = Field.Type == Drydock::ESettingType::Bool ? 0 : 2;
@@ -259,17 +278,17 @@ std::string CheckByDeclaration(const FBlendRow& Row)
 }
 
 /** So many blends of a quarter each towards 1. */
-std::string CheckSettles(const FBlendRow& Row, double Bound)
+std::string CheckSettles(const FRow& Row, double Bound)
 {
 	FFinalPostProcessSettings Settings;
-	const FPostProcessSettings Source = Row.Form == EBlendForm::Table     ? GiveTable(1)
-										: Row.Form == EBlendForm::Cubemap ? GiveCubemap(1)
-																		  : Give(GetField(Row), 1);
-	FPostProcessSettings Parts = Row.Form == EBlendForm::Parts ? Give(GetField(Row), Base) : FPostProcessSettings();
+	const FPostProcessSettings Source = GetForm(Row) == EBlendForm::Table     ? GiveTable(1)
+										: GetForm(Row) == EBlendForm::Cubemap ? GiveCubemap(1)
+																			  : Give(GetField(Row), 1);
+	FPostProcessSettings Parts = GetForm(Row) == EBlendForm::Parts ? Give(GetField(Row), Base) : FPostProcessSettings();
 	constexpr int NumBlends = 10000;
 	for (int Index = 0; Index < NumBlends; ++Index)
 	{
-		if (Row.Form == EBlendForm::Parts)
+		if (GetForm(Row) == EBlendForm::Parts)
 		{
 			FPostProcessUtils::BlendPostProcessSettings(Parts, Source, 0.25f);
 		}
@@ -280,7 +299,7 @@ std::string CheckSettles(const FBlendRow& Row, double Bound)
 	}
 	FNumbers Found;
 	double Expected = 1;
-	if (Row.Form == EBlendForm::Table)
+	if (GetForm(Row) == EBlendForm::Table)
 	{
 		double Sum = 0;
 		for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
@@ -289,14 +308,14 @@ std::string CheckSettles(const FBlendRow& Row, double Bound)
 		}
 		Found = {Sum};
 	}
-	else if (Row.Form == EBlendForm::Cubemap)
+	else if (GetForm(Row) == EBlendForm::Cubemap)
 	{
 		Expected = 0.25 * NumBlends;
 		Found = {static_cast<double>(Settings.ContributingCubemaps[0].AmbientCubemapTintMulScaleValue.G)};
 	}
 	else
 	{
-		Found = Read(GetField(Row), Row.Form == EBlendForm::Parts ? Parts : Settings);
+		Found = Read(GetField(Row), GetForm(Row) == EBlendForm::Parts ? Parts : Settings);
 		Expected = Read(GetField(Row), Source)[0];
 	}
 	return std::all_of(Found.begin(), Found.end(),
@@ -307,7 +326,7 @@ std::string CheckSettles(const FBlendRow& Row, double Bound)
 
 } // namespace
 
-std::string CheckBlend(const FBlendRow& Row, EHazard Hazard)
+std::string CheckBlend(const FRow& Row, EHazard Hazard)
 {
 	const FCell& Cell = Row.Cells[Hazard];
 	const double Value = GetValue(Hazard);

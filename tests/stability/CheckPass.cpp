@@ -2,6 +2,7 @@
 #include "CheckPass.h"
 
 #include "Cases.h"
+#include "Runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ constexpr int NumColors = 3; // alpha is each pass's own affair
 /** One run of a cell. */
 struct FContext
 {
-	const FPassRow& Row;
+	const FRun& Pass;
 	const FCell& Cell;
 	const std::vector<FTrial>& Trials;
 	const FTrial& Trial;
@@ -84,15 +85,15 @@ bool IsInFootprint(const FContext& Context, int X, int Y)
 {
 	const auto Gap = [&](int At, int Bad)
 	{
-		return std::max(At * Context.Row.Shrink - (Bad + 1), Bad - (At + 1) * Context.Row.Shrink);
+		return std::max(At * Context.Pass.Shrink - (Bad + 1), Bad - (At + 1) * Context.Pass.Shrink);
 	};
-	const double Reach = std::max(Context.Row.Reach, 1e-9); // touching is not looking
+	const double Reach = std::max(Context.Pass.Reach, 1e-9); // touching is not looking
 	return Gap(X, Context.Trial.Bad.X) < Reach - 1e-6 && Gap(Y, Context.Trial.Bad.Y) < Reach - 1e-6;
 }
 
 std::string CheckOutside(const FContext& Context, const FImage& Result)
 {
-	const FImage Clean = Context.Row.Run(Context.Trial.Clean);
+	const FImage Clean = Context.Pass.Run(Context.Trial.Clean);
 	bool bOutside = false;
 	const std::string Found = ForAll(Result, "changed outside of the footprint",
 		[&](int X, int Y, int Channel, double Value)
@@ -135,7 +136,7 @@ std::string Limit(const std::string& What, double Value, double Most)
 
 FImage Run(const FContext& Context)
 {
-	return Context.Row.Run(Context.Trial.Case);
+	return Context.Pass.Run(Context.Trial.Case);
 }
 
 std::string CheckSpreads(const FContext& Context)
@@ -154,7 +155,7 @@ std::string CheckCleaned(const FContext& Context)
 
 std::string CheckFloods(const FContext& Context)
 {
-	const FImage Result = Run(Context), Clean = Context.Row.Run(Context.Trial.Clean);
+	const FImage Result = Run(Context), Clean = Context.Pass.Run(Context.Trial.Clean);
 	size_t NumChanged = 0;
 	for (size_t Index = 0; Index < Result.Texels.size(); ++Index)
 	{
@@ -174,7 +175,7 @@ std::string CheckReadsAs(const FContext& Context)
 	Replaced.Image.At(Context.Trial.Bad.X, Context.Trial.Bad.Y) = {Value, Value, Value, 1};
 	const FImage Result = Run(Context);
 	const std::string Found = CheckFinite(Result);
-	return !Found.empty() ? Found : CompareBits(Result, Context.Row.Run(Replaced), "other than with that value");
+	return !Found.empty() ? Found : CompareBits(Result, Context.Pass.Run(Replaced), "other than with that value");
 }
 
 std::string CheckAsBlack(const FContext& Context)
@@ -182,8 +183,8 @@ std::string CheckAsBlack(const FContext& Context)
 	FCase BlackCase = Context.Trial.Case;
 	const FImage& Image = Context.Trial.Case.Image;
 	BlackCase.Image = FImage(Image.Width, Image.Height, {0, 0, 0, 1});
-	const double Most = Context.Cell.Bound + 2 * Context.Row.Gain * (Context.Cell.Bound == 0 ? LargestOf(Image) : 0.0);
-	return Limit("away from black", Distance(Run(Context), Context.Row.Run(BlackCase)), Most);
+	const double Most = Context.Cell.Bound + 2 * Context.Pass.Gain * (Context.Cell.Bound == 0 ? LargestOf(Image) : 0.0);
+	return Limit("away from black", Distance(Run(Context), Context.Pass.Run(BlackCase)), Most);
 }
 
 std::string CheckMirrored(const FContext& Context)
@@ -196,7 +197,7 @@ std::string CheckMirrored(const FContext& Context)
 			Texel[Channel] = -Texel[Channel];
 		}
 	}
-	const FImage Result = Context.Row.Run(Negated);
+	const FImage Result = Context.Pass.Run(Negated);
 	return ForAll(Run(Context), "not the negative of the negative's",
 		[&](int X, int Y, int Channel, double Value) { return Value == -Result.At(X, Y)[Channel]; });
 }
@@ -214,8 +215,8 @@ std::string CheckBounded(const FContext& Context, bool bFades)
 		}
 	}
 	const double Slack = Context.Cell.Bound * std::max(std::abs(Least), std::abs(Most));
-	const double Low = (bFades ? 0.0 : std::min(Least, Least * Context.Row.Gain)) - Slack,
-				 High = Most * Context.Row.Gain + Slack;
+	const double Low = (bFades ? 0.0 : std::min(Least, Least * Context.Pass.Gain)) - Slack,
+				 High = Most * Context.Pass.Gain + Slack;
 	return ForAll(Run(Context), "outside of the input's range",
 		[=](int, int, int, double Value) { return Value >= Low && Value <= High; });
 }
@@ -227,8 +228,8 @@ double SumOf(const FImage& Image)
 
 std::string CheckEnergy(const FContext& Context)
 {
-	const double In = SumOf(Context.Trial.Case.Image) * Context.Row.Gain;
-	const double Out = SumOf(Run(Context)) * Context.Row.Shrink * Context.Row.Shrink;
+	const double In = SumOf(Context.Trial.Case.Image) * Context.Pass.Gain;
+	const double Out = SumOf(Run(Context)) * Context.Pass.Shrink * Context.Pass.Shrink;
 	return Limit("light lost or won", std::abs(Out / In - 1), Context.Cell.Bound);
 }
 
@@ -242,7 +243,7 @@ std::string CheckSteady(const FContext& Context)
 	double Least = 1e300, Most = 0;
 	for (const FTrial& Trial : Context.Trials)
 	{
-		const double Sum = SumOf(Context.Row.Run(Trial.Case));
+		const double Sum = SumOf(Context.Pass.Run(Trial.Case));
 		Least = std::min(Least, Sum);
 		Most = std::max(Most, Sum);
 	}
@@ -257,7 +258,7 @@ std::string CheckSmooth(const FContext& Context)
 	}
 	const FTrial& Before = *(&Context.Trial - 1);
 	const double In = Distance(Before.Case.Image, Context.Trial.Case.Image);
-	const double Out = Distance(Context.Row.Run(Before.Case), Run(Context));
+	const double Out = Distance(Context.Pass.Run(Before.Case), Run(Context));
 	return Limit("result's change over the input's", Out / In, Context.Cell.Bound);
 }
 
@@ -268,7 +269,7 @@ std::string CheckKept(const FContext& Context, bool bOnlyInside)
 	return ForAll(Result, "not the constant",
 		[&](int X, int Y, int Channel, double Value)
 		{
-			const double Expected = Flat[Channel] * Context.Row.Gain;
+			const double Expected = Flat[Channel] * Context.Pass.Gain;
 			const double Slack = Context.Cell.Bound * std::abs(Expected);
 			const bool bInside = X == Result.Width / 2 && Y == Result.Height / 2;
 			return Value <= Expected + Slack &&
@@ -302,7 +303,7 @@ std::string CheckCentred(const FContext& Context)
 
 std::string CheckSameAsCropped(const FContext& Context)
 {
-	return CompareBits(Run(Context), Context.Row.Run(Context.Trial.Clean), "other than in a texture of its own");
+	return CompareBits(Run(Context), Context.Pass.Run(Context.Trial.Clean), "other than in a texture of its own");
 }
 
 std::string CheckAffine(const FContext& Context)
@@ -311,7 +312,7 @@ std::string CheckAffine(const FContext& Context)
 	{
 		FCase Case = Context.Trial.Case;
 		Case.Intensity = Intensity;
-		return Context.Row.Run(Case);
+		return Context.Pass.Run(Case);
 	};
 	const double Factor = Context.Trial.Case.Intensity.value_or(1.0);
 	const FImage None = RunWith(0.0), One = RunWith(1.0), Result = Run(Context);
@@ -332,11 +333,11 @@ std::string CheckAffine(const FContext& Context)
 
 std::string CheckFormula(const FContext& Context)
 {
-	if (Context.Row.Formula == nullptr)
+	if (Context.Pass.Formula == nullptr)
 	{
 		return "the row has no formula";
 	}
-	const FImage Expected = Context.Row.Formula(Context.Trial.Case);
+	const FImage Expected = Context.Pass.Formula(Context.Trial.Case);
 	return Limit("away from the formula", Distance(Run(Context), Expected) / std::max(1.0, LargestOf(Expected)),
 		Context.Cell.Bound);
 }
@@ -345,7 +346,7 @@ std::string CheckAccurate(const FContext& Context)
 {
 	FCase Exact = Context.Trial.Case;
 	Exact.Arithmetic = EArithmetic::Double;
-	const FImage Reference = Context.Row.Run(Exact);
+	const FImage Reference = Context.Pass.Run(Exact);
 	return Limit("error", Distance(Run(Context), Reference) / LargestOf(Reference), Context.Cell.Bound);
 }
 
@@ -369,7 +370,7 @@ std::string CheckOne(const FContext& Context)
 		return CheckReadsAs(Context);
 	case EExpect::Ignored:
 	case EExpect::AsInfinity:
-		return CompareBits(Run(Context), Context.Row.Run(Context.Trial.Clean), "other bits");
+		return CompareBits(Run(Context), Context.Pass.Run(Context.Trial.Clean), "other bits");
 	case EExpect::AsBlack:
 		return CheckAsBlack(Context);
 	case EExpect::Mirrored:
@@ -432,9 +433,10 @@ std::string CheckOne(const FContext& Context)
 
 } // namespace
 
-std::string CheckPass(const FPassRow& Row, EHazard Hazard)
+std::string CheckPass(const FRow& Row, EHazard Hazard)
 {
-	for (int Variant = 0; Variant < Row.NumVariants; ++Variant)
+	const FRun& Pass = GetRuns().at(Row.Name);
+	for (int Variant = 0; Variant < Pass.NumVariants; ++Variant)
 	{
 		const std::vector<FTrial> Trials = MakeTrials(Hazard, Variant);
 		const FCell& Cell = Row.Cells[Hazard];
@@ -444,7 +446,7 @@ std::string CheckPass(const FPassRow& Row, EHazard Hazard)
 		}
 		for (size_t Index = 0; Index < Trials.size() && Cell.Expect != EExpect::DoesNotApply; ++Index)
 		{
-			const std::string Found = CheckOne({Row, Cell, Trials, Trials[Index]});
+			const std::string Found = CheckOne({Pass, Cell, Trials, Trials[Index]});
 			if (!Found.empty())
 			{
 				return "form " + std::to_string(Variant) + ", run " + std::to_string(Index) + ": " + Found;

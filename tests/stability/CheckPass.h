@@ -9,9 +9,9 @@ namespace Stability
 {
 
 /** Empty where the cell holds; else what was found in its place. */
-std::string CheckPass(const FPassRow& Row, EHazard Hazard);
+std::string CheckPass(const FRow& Row, EHazard Hazard);
 
 /** The same of a rule of blending. */
-std::string CheckBlend(const FBlendRow& Row, EHazard Hazard);
+std::string CheckBlend(const FRow& Row, EHazard Hazard);
 
 } // namespace Stability

@@ -28,8 +28,8 @@ inline constexpr FStatedFinding StatedFindings[] = {
 	{"negative", "PostProcessFFTBloom.usf", "the numbers of a spectrum have both signs"},
 	{"denormal", "FilterPixelShader.usf", "a Gaussian's tail fades away through the smallest numbers of a format"},
 	{"denormal", "PostProcessDownsample.usf", "the edge of such a tail, made smaller"},
-	{"denormal", "REDPostProcess.usf", "a blur's tail likewise"},
-	{"denormal", "UnityBloom.usf", "a blur's tail likewise"},
+	{"denormal", "REDPostProcess.usf", "a blur's tail fades away through the smallest numbers of a format"},
+	{"denormal", "UnityBloom.usf", "a blur's tail fades away through the smallest numbers of a format"},
 };
 
 } // namespace Stability

@@ -33,13 +33,15 @@ void SetGrading(const FCase& Case, FFinalPostProcessSettings& Settings)
 
 enum class EForm
 {
-	Maths,
-	Table,
+	Plain,
 	Lens,
 	GammaOnly
 };
 
-FImage RunTonemapper(const FCase& Case, EForm Form)
+/** Plain is without vignette; its variants: maths for each pixel, combined table. Lens has vignette, fringe,
+ * sharpening, grain, and the picture as its own bloom. Grading as in RunCombineLUTs. */
+template<EForm Form>
+FImage RunTonemap(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FFinalPostProcessSettings& Settings = Run.View.FinalPostProcessSettings;
@@ -58,7 +60,7 @@ FImage RunTonemapper(const FCase& Case, EForm Form)
 	{
 		Inputs.Bloom = Run.Input;
 	}
-	if (Form == EForm::Table)
+	if (Case.Variant == 1)
 	{
 		Inputs.ColorGradingTexture = AddCombineLUTPass(Run.GraphBuilder, Run.View);
 	}
@@ -68,8 +70,8 @@ FImage RunTonemapper(const FCase& Case, EForm Form)
 	return Run.Execute(AddTonemapPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-} // namespace
-
+/** 32 x 32 colours of the table's middle slice. Intensity: the gain; Power: gamma and contrast of the grading, below an
+ *  offset of -0.25. Variants: sRGB, the linear device that has the curve. */
 FImage RunCombineLUTs(const FCase& Case)
 {
 	constexpr float LinearWithToneCurve = 9.0f;
@@ -91,21 +93,7 @@ FImage RunCombineLUTs(const FCase& Case)
 	return Slice;
 }
 
-FImage RunTonemap(const FCase& Case)
-{
-	return RunTonemapper(Case, Case.Variant == 0 ? EForm::Maths : EForm::Table);
-}
-
-FImage RunTonemapLens(const FCase& Case)
-{
-	return RunTonemapper(Case, EForm::Lens);
-}
-
-FImage RunTonemapGamma(const FCase& Case)
-{
-	return RunTonemapper(Case, EForm::GammaOnly);
-}
-
+/** Variants: quality 0 to 5. */
 FImage RunFXAA(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -115,5 +103,15 @@ FImage RunFXAA(const FCase& Case)
 	Inputs.bLumaInAlpha = false;
 	return Run.Execute(AddFXAAPass(Run.GraphBuilder, Run.View, Inputs));
 }
+
+const FRunRegistration DisplayRuns({
+	{"Combined table: sRGB, linear", {.Run = RunCombineLUTs, .NumVariants = 2}},
+	{"Tonemapper: maths, table", {.Run = RunTonemap<EForm::Plain>, .NumVariants = 2}},
+	{"Tonemapper with lens and bloom", {.Run = RunTonemap<EForm::Lens>}},
+	{"Tonemapper, gamma only", {.Run = RunTonemap<EForm::GammaOnly>}},
+	{"FXAA", {.Run = RunFXAA, .NumVariants = 6, .Reach = 24}},
+});
+
+} // namespace
 
 } // namespace Stability

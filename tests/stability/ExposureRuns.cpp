@@ -46,8 +46,7 @@ FImage ExecuteAndRead(FRDGBuilder& GraphBuilder, FRDGBufferRef EyeAdaptation)
 	return FImage(1, 1, {Entry.X, Entry.Y, Entry.Z, 1});
 }
 
-} // namespace
-
+/** 64 x 1: the buckets, numbers laid out as a picture. */
 FImage RunHistogram(const FCase& Case)
 {
 	const FBlackCounts BlackCounts;
@@ -55,7 +54,7 @@ FImage RunHistogram(const FCase& Case)
 	return FImage::Make(64, 1, [&](int X, int) { return FTexel{Buckets[X], Buckets[X], Buckets[X], 1}; });
 }
 
-// Counted texel by texel, range -8 to 4 EV.
+/** Counted texel by texel, range -8 to 4 EV. */
 FImage HistogramFormula(const FCase& Case)
 {
 	std::vector<double> Buckets(64);
@@ -75,6 +74,7 @@ FImage HistogramFormula(const FCase& Case)
 	return FImage::Make(64, 1, [&](int X, int) { return FTexel{Buckets[X], Buckets[X], Buckets[X], 1}; });
 }
 
+/** 1 x 1: scale, target, average. Variants: histogram, basic. Frames: so many of 1/60 s. */
 FImage RunEyeAdaptation(const FCase& Case)
 {
 	PassTest::FMetering Metering;
@@ -104,7 +104,7 @@ FImage RunEyeAdaptation(const FCase& Case)
 	return ExecuteAndRead(GraphBuilder, Inputs.LastEyeAdaptationBuffer);
 }
 
-// Settled: 2^1 * 0.18 / 0.25, the bias of the default settings being 1 EV.
+/** Settled: 2^1 * 0.18 / 0.25, the bias of the default settings being 1 EV. */
 FImage EyeAdaptationFormula(const FCase&)
 {
 	return FImage(1, 1, {2 * 0.18 / 0.25, 2 * 0.18 / 0.25, 0.25, 1});
@@ -126,6 +126,7 @@ FImage RunExposureCurve(const FCase& Case)
 											AddHistogramEyeAdaptationPass(GraphBuilder, View, Inputs, Histogram)));
 }
 
+/** The picture times its factor. Intensity: the contrast of highlights, 0.5; Sigma: kernel in percent, 10. */
 FImage RunLocalExposure(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -147,12 +148,21 @@ FImage RunLocalExposure(const FCase& Case)
 	return Run.Execute(AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-// The base is the mean of the channels, middle grey 0.18, the contrast 0.5 on both sides.
+/** Of a flat picture: the base is the mean of the channels, middle grey 0.18, the contrast 0.5 on both sides. */
 FImage LocalExposureFormula(const FCase& Case)
 {
 	const FTexel& Flat = Case.Image.At(0, 0);
 	const double Mean = (Flat[0] + Flat[1] + Flat[2]) / 3;
 	return FImage(Case.Image.Width, Case.Image.Height, Flat * std::sqrt(0.18 / Mean));
 }
+
+const FRunRegistration ExposureRuns({
+	{"Histogram", {.Run = RunHistogram, .Formula = HistogramFormula}},
+	{"Eye adaptation: histogram, basic", {.Run = RunEyeAdaptation, .Formula = EyeAdaptationFormula, .NumVariants = 2}},
+	{"Exposure curve", {.Run = RunExposureCurve}},
+	{"Local exposure", {.Run = RunLocalExposure, .Formula = LocalExposureFormula}},
+});
+
+} // namespace
 
 } // namespace Stability

@@ -37,7 +37,10 @@ FSceneTextures RegisterScene(FRDGBuilder& GraphBuilder, const FCase& Case, const
 	return SceneTextures;
 }
 
-FImage RunFrameOf(const FCase& Case, bool bBloom)
+/** Final picture at default settings. Intensity, Threshold: the bloom's; Sigma: its size scale, 4; Power: gamma of the
+ *  grading. Bloom is off by the show flag. */
+template<bool bBloom>
+FImage RunFrame(const FCase& Case)
 {
 	const bool bDouble = PassTest::IsDouble(Case.Arithmetic);
 	const PassTest::FScopedConsoleVariable Precision(TEXT("r.Drydock.Precision"), bDouble ? 1 : 0);
@@ -70,16 +73,8 @@ FImage RunFrameOf(const FCase& Case, bool bBloom)
 		});
 }
 
+const FRunRegistration FrameRuns({{"Whole frame", {.Run = RunFrame<true>, .Formula = RunFrame<false>}}});
+
 } // namespace
-
-FImage RunFrame(const FCase& Case)
-{
-	return RunFrameOf(Case, true);
-}
-
-FImage FrameWithoutBloom(const FCase& Case)
-{
-	return RunFrameOf(Case, false);
-}
 
 } // namespace Stability

@@ -9,6 +9,10 @@
 namespace Stability
 {
 
+namespace
+{
+
+/** Sigma: the radius at infinity, 6. */
 FImage RunDiaphragmDOF(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -20,6 +24,7 @@ FImage RunDiaphragmDOF(const FCase& Case)
 	return Run.Execute(DiaphragmDOF::AddPasses(Run.GraphBuilder, Run.View, SceneTextures, Run.Input, Model, {}));
 }
 
+/** Sigma: the blur's length for a velocity of one pixel, 1. */
 FImage RunMotionBlur(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -30,5 +35,12 @@ FImage RunMotionBlur(const FCase& Case)
 	Inputs.MaxLength = 16.0f;
 	return Run.Execute(AddMotionBlurPass(Run.GraphBuilder, Run.View, Inputs));
 }
+
+const FRunRegistration LensRuns({
+	{"Depth of field", {.Run = RunDiaphragmDOF, .Reach = 12}},
+	{"Motion blur", {.Run = RunMotionBlur, .Reach = 4}},
+});
+
+} // namespace
 
 } // namespace Stability

@@ -24,7 +24,9 @@ FImage RunChain(const FCase& Case, const FREDPostProcessParameters& Parameters)
 	return Run.Execute(AddREDPostProcessPasses(Run.GraphBuilder, Run.View, Run.Input, Parameters));
 }
 
-FImage RunDiffusion(const FCase& Case, bool bAsPrinted)
+/** Intensity 1, Power 1, luminance threshold 0. Variants: Screen, Max. */
+template<bool bAsPrinted>
+FImage RunREDDiffusion(const FCase& Case)
 {
 	FREDPostProcessParameters Parameters;
 	Parameters.DiffusionFilterIntensity = static_cast<float>(Case.Intensity.value_or(1.0));
@@ -36,7 +38,9 @@ FImage RunDiffusion(const FCase& Case, bool bAsPrinted)
 	return RunChain(Case, Parameters);
 }
 
-FImage RunGlow(const FCase& Case, bool bAsPrinted)
+/** Area (Sigma) 3.5; Intensity: alpha of the colour, 1. */
+template<bool bAsPrinted>
+FImage RunCharaGlow(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FCharaGlowInputs Inputs;
@@ -48,7 +52,9 @@ FImage RunGlow(const FCase& Case, bool bAsPrinted)
 	return Run.Execute(AddCharaGlow(Run.GraphBuilder, Run.View, Inputs));
 }
 
-FImage RunDof(const FCase& Case, bool bAsPrinted)
+/** In focus at 300 cm; kernel 4 pixels in diameter (Sigma: half of that). */
+template<bool bAsPrinted>
+FImage RunREDDepthOfField(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FREDDepthOfFieldInputs Inputs;
@@ -75,19 +81,7 @@ double ScreenOfLight(double A, double B)
 	return ScreenValues(std::min(A, 1.0), std::min(B, 1.0)) + std::max(A - 1, 0.0) + std::max(B - 1, 0.0);
 }
 
-} // namespace
-
-FImage RunREDDiffusion(const FCase& Case)
-{
-	return RunDiffusion(Case, false);
-}
-
-FImage RunREDDiffusionAsPrinted(const FCase& Case)
-{
-	return RunDiffusion(Case, true);
-}
-
-// Of a flat picture, whose blur is the picture.
+/** Of a flat picture, whose blur is the picture. */
 FImage REDDiffusionFormula(const FCase& Case)
 {
 	const FTexel Flat = Case.Image.At(0, 0);
@@ -106,6 +100,7 @@ FImage REDDiffusionFormula(const FCase& Case)
 	return FImage(Case.Image.Width, Case.Image.Height, Result);
 }
 
+/** Intensity: the blend, 1; saturation 1. Variants: kernels of the corrected form. */
 FImage RunREDSoftFocus(const FCase& Case)
 {
 	FREDPostProcessParameters Parameters;
@@ -115,6 +110,7 @@ FImage RunREDSoftFocus(const FCase& Case)
 	return RunChain(Case, Parameters);
 }
 
+/** Intensity: 1. Threshold: of the luma, -1. */
 FImage RunREDGlow(const FCase& Case)
 {
 	FREDPostProcessParameters Parameters;
@@ -124,7 +120,7 @@ FImage RunREDGlow(const FCase& Case)
 	return RunChain(Case, Parameters);
 }
 
-// Of a flat picture.
+/** Of a flat picture. */
 FImage REDGlowFormula(const FCase& Case)
 {
 	FTexel Result = Case.Image.At(0, 0);
@@ -133,16 +129,6 @@ FImage REDGlowFormula(const FCase& Case)
 		Result[Channel] = ScreenOfLight(Result[Channel], Result[Channel] * Case.Intensity.value_or(1.0));
 	}
 	return FImage(Case.Image.Width, Case.Image.Height, Result);
-}
-
-FImage RunCharaGlow(const FCase& Case)
-{
-	return RunGlow(Case, false);
-}
-
-FImage RunCharaGlowAsPrinted(const FCase& Case)
-{
-	return RunGlow(Case, true);
 }
 
 FImage CharaGlowFormula(const FCase& Case)
@@ -184,14 +170,17 @@ FImage CharaGlowFormula(const FCase& Case)
 		});
 }
 
-FImage RunREDDepthOfField(const FCase& Case)
-{
-	return RunDof(Case, false);
-}
+const FRunRegistration REDRuns({
+	{"RED diffusion filter", {.Run = RunREDDiffusion<false>, .Formula = REDDiffusionFormula, .Reach = 12, .Gain = 2}},
+	{"RED diffusion filter as printed", {.Run = RunREDDiffusion<true>, .Reach = 18}},
+	{"RED soft focus: seven taps, thirteen texels, nine taps", {.Run = RunREDSoftFocus, .NumVariants = 3, .Reach = 18}},
+	{"RED glow", {.Run = RunREDGlow, .Formula = REDGlowFormula, .Reach = 12, .Gain = 2}},
+	{"CharaGlow", {.Run = RunCharaGlow<false>, .Formula = CharaGlowFormula}},
+	{"CharaGlow as printed", {.Run = RunCharaGlow<true>}},
+	{"RED depth of field", {.Run = RunREDDepthOfField<false>, .Reach = 10}},
+	{"RED depth of field as printed", {.Run = RunREDDepthOfField<true>, .Reach = 10, .Gain = 1.9952 * 1.9952}},
+});
 
-FImage RunREDDepthOfFieldAsPrinted(const FCase& Case)
-{
-	return RunDof(Case, true);
-}
+} // namespace
 
 } // namespace Stability

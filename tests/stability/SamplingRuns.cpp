@@ -16,7 +16,9 @@ namespace Stability
 namespace
 {
 
-FImage RunDownsample(const FCase& Case, EDownsampleQuality Quality)
+/** Variants: pixel shader, compute. */
+template<EDownsampleQuality Quality>
+FImage RunDownsample(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	Run.View.bUseComputePasses = Case.Variant == 1;
@@ -27,28 +29,19 @@ FImage RunDownsample(const FCase& Case, EDownsampleQuality Quality)
 	return Run.Execute(AddDownsamplePass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-FImage RunUpscale(const FCase& Case, EUpscaleMethod Method)
+/** To twice the size. Variants: both methods. */
+template<EUpscaleMethod First, EUpscaleMethod Second>
+FImage RunUpscale(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FUpscaleInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.OutputSize = FIntPoint(2 * Case.Image.Width, 2 * Case.Image.Height);
-	Inputs.Method = Method;
+	Inputs.Method = Case.Variant == 0 ? First : Second;
 	return Run.Execute(AddUpscalePass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-} // namespace
-
-FImage RunDownsampleLow(const FCase& Case)
-{
-	return RunDownsample(Case, EDownsampleQuality::Low);
-}
-
-FImage RunDownsampleHigh(const FCase& Case)
-{
-	return RunDownsample(Case, EDownsampleQuality::High);
-}
-
+/** Levels: 3, that is a quarter of the size. */
 FImage RunDownsampleChain(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -58,21 +51,7 @@ FImage RunDownsampleChain(const FCase& Case)
 	return Run.Execute(Chain.GetLastTexture());
 }
 
-FImage RunUpscaleBilinear(const FCase& Case)
-{
-	return RunUpscale(Case, Case.Variant == 0 ? EUpscaleMethod::Nearest : EUpscaleMethod::Bilinear);
-}
-
-FImage RunUpscaleLobes(const FCase& Case)
-{
-	return RunUpscale(Case, Case.Variant == 0 ? EUpscaleMethod::CatmullRom : EUpscaleMethod::Lanczos);
-}
-
-FImage RunUpscaleSharpened(const FCase& Case)
-{
-	return RunUpscale(Case, Case.Variant == 0 ? EUpscaleMethod::Directional : EUpscaleMethod::Gaussian);
-}
-
+/** Intensity: the factor, 1. */
 FImage RunTint(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -83,6 +62,7 @@ FImage RunTint(const FCase& Case)
 	return Run.Execute(AddTintPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
+/** Translucency everywhere: radiance (0.25, 0.5, 0.125), transmittance 0.5. */
 FImage RunSeparateTranslucency(const FCase& Case)
 {
 	FFrameRun Run(Case);
@@ -100,5 +80,24 @@ FImage SeparateTranslucencyFormula(const FCase& Case)
 			return FTexel{Color[0] * 0.5 + 0.25, Color[1] * 0.5 + 0.5, Color[2] * 0.5 + 0.125, Color[3]};
 		});
 }
+
+using EQuality = EDownsampleQuality;
+using EMethod = EUpscaleMethod;
+
+const FRunRegistration SamplingRuns({
+	{"Downsample, low quality", {.Run = RunDownsample<EQuality::Low>, .NumVariants = 2, .Shrink = 2}},
+	{"Downsample, high quality", {.Run = RunDownsample<EQuality::High>, .NumVariants = 2, .Shrink = 2, .Reach = 1}},
+	{"Downsample chain", {.Run = RunDownsampleChain, .Shrink = 4, .Reach = 3}},
+	{"Upscale: nearest, bilinear",
+		{.Run = RunUpscale<EMethod::Nearest, EMethod::Bilinear>, .NumVariants = 2, .Shrink = 0.5, .Reach = 1}},
+	{"Upscale: Catmull-Rom, Lanczos",
+		{.Run = RunUpscale<EMethod::CatmullRom, EMethod::Lanczos>, .NumVariants = 2, .Shrink = 0.5, .Reach = 3}},
+	{"Upscale: directional, Gaussian",
+		{.Run = RunUpscale<EMethod::Directional, EMethod::Gaussian>, .NumVariants = 2, .Shrink = 0.5, .Reach = 3}},
+	{"Tint", {.Run = RunTint}},
+	{"Separate translucency", {.Run = RunSeparateTranslucency, .Formula = SeparateTranslucencyFormula}},
+});
+
+} // namespace
 
 } // namespace Stability

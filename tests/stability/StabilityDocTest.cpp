@@ -29,14 +29,14 @@ constexpr const char* Introduction =
 
 ![every pass against every hazard](images/stability.svg)
 
-What every pass (a row) and every rule of blending does with numbers, sizes and parameters that break other programs (a
-column): where it is green, the result is finite and what the page says. Picture and page are made of the table in
+The table shows every pass and every rule of blending (rows) with numbers, sizes and parameters that break other programs
+(columns). A green square stands for a result that is finite and as the page states. Picture and page are made of the table in
 `tests/stability` (`DRYDOCK_BLESS=1 build/release/bin/test_stability --gtest_filter='StabilityDoc.*'` writes both anew), and
-the same program runs every cell; a cell that is missing there does not compile. Each pass states its contract in its header
-too. What a pass of your own makes of the hazards, `drydock hazards CONFIG --pass P` prints ([see-inside.md](see-inside.md)).
+the same program runs every cell; it refuses a table in which a cell is missing. Each pass states its contract in its header
+too. `drydock hazards CONFIG --pass P` prints the results of your own pass ([see-inside.md](see-inside.md)).
 
-**In a frame.** `r.Drydock.NonFinite` says what becomes of NaN and infinities in the scene's channels: 0 they pass on, as in
-the engine, and are counted (DD4001), with where they went (DD4003); 1 they are loaded as 0; 2 the run fails (DD4002).
+**In a frame.** `r.Drydock.NonFinite` decides about NaN and infinities in the scene's channels: with 0 they pass on, as in the
+engine, and are counted (DD4001), with where they went (DD4003); with 1 they are loaded as 0; with 2 the run fails (DD4002).
 `r.Drydock.SceneColorClamp V`, off by default, comes first and loads red, green and blue within -V .. V, infinities too; NaN
 it leaves to the policy.
 
@@ -103,47 +103,7 @@ part of their pictures.
 
 constexpr const char* GroupTitles[] = {"Values", "Sizes", "Parameters", "Sums and weights"};
 
-/** What a row of either kind says. */
-struct FSection
-{
-	std::string Name;
-	std::string Header;
-	const FCells* Cells;
-};
-
-std::vector<FSection> GetPasses()
-{
-	std::vector<FSection> Sections;
-	for (const auto GetRows : {GetSamplingRows, GetBloomRows, GetBlurRows, GetToonRows, GetREDRows, GetLensRows,
-			 GetExposureRows, GetDisplayRows})
-	{
-		for (const FPassRow& Row : GetRows())
-		{
-			Sections.push_back({Row.Name, std::string("passes/") + Row.Header, &Row.Cells});
-		}
-	}
-	return Sections;
-}
-
-std::vector<FSection> GetFrames()
-{
-	std::vector<FSection> Sections;
-	for (const FPassRow& Row : GetFrameRows())
-	{
-		Sections.push_back({Row.Name, std::string("pipeline/") + Row.Header, &Row.Cells});
-	}
-	return Sections;
-}
-
-std::vector<FSection> GetRules()
-{
-	std::vector<FSection> Sections;
-	for (const FBlendRow& Row : GetBlendRows())
-	{
-		Sections.push_back({Row.Name, std::string("settings/") + Row.Header, &Row.Cells});
-	}
-	return Sections;
-}
+using FRows = std::vector<const FRow*>;
 
 const char* GetSymbol(const FCell& Cell)
 {
@@ -151,16 +111,16 @@ const char* GetSymbol(const FCell& Cell)
 }
 
 /** Columns in which some row of these has something to say. */
-std::vector<EHazard> GetColumns(const std::vector<FSection>& Sections, EHazardGroup Group)
+std::vector<EHazard> GetColumns(const FRows& Rows, EHazardGroup Group)
 {
 	std::vector<EHazard> Columns;
 	for (size_t Index = 0; Index < NumHazards; ++Index)
 	{
 		const EHazard Hazard = static_cast<EHazard>(Index);
 		bool bApplies = false;
-		for (const FSection& Section : Sections)
+		for (const FRow* Row : Rows)
 		{
-			bApplies = bApplies || (*Section.Cells)[Hazard].Expect != EExpect::DoesNotApply;
+			bApplies = bApplies || Row->Cells[Hazard].Expect != EExpect::DoesNotApply;
 		}
 		if (Hazards[Index].Group == Group && bApplies)
 		{
@@ -170,11 +130,11 @@ std::vector<EHazard> GetColumns(const std::vector<FSection>& Sections, EHazardGr
 	return Columns;
 }
 
-void WriteTables(std::ostream& Text, const std::vector<FSection>& Sections, const char* Kind)
+void WriteTables(std::ostream& Text, const FRows& Rows, const char* Kind)
 {
 	for (size_t Group = 0; Group < static_cast<size_t>(EHazardGroup::MAX); ++Group)
 	{
-		const std::vector<EHazard> Columns = GetColumns(Sections, static_cast<EHazardGroup>(Group));
+		const std::vector<EHazard> Columns = GetColumns(Rows, static_cast<EHazardGroup>(Group));
 		if (Columns.empty())
 		{
 			continue;
@@ -190,12 +150,12 @@ void WriteTables(std::ostream& Text, const std::vector<FSection>& Sections, cons
 			Text << ":-:|";
 		}
 		Text << "\n";
-		for (const FSection& Section : Sections)
+		for (const FRow* Row : Rows)
 		{
-			Text << "| " << Section.Name << " |";
+			Text << "| " << Row->Name << " |";
 			for (const EHazard Hazard : Columns)
 			{
-				Text << " " << GetSymbol((*Section.Cells)[Hazard]) << " |";
+				Text << " " << GetSymbol(Row->Cells[Hazard]) << " |";
 			}
 			Text << "\n";
 		}
@@ -203,13 +163,13 @@ void WriteTables(std::ostream& Text, const std::vector<FSection>& Sections, cons
 }
 
 /** Hazards of one reason on one line, in the order of the table; what does not apply comes last. */
-void WriteReasons(std::ostream& Text, const FSection& Section)
+void WriteReasons(std::ostream& Text, const FRow& Row)
 {
-	Text << "\n### " << Section.Name << "\n\n`" << Section.Header << "`\n\n";
+	Text << "\n### " << Row.Name << "\n\n`" << Row.Header << "`\n\n";
 	std::vector<std::pair<const FCell*, std::string>> Lines;
 	for (size_t Index = 0; Index < NumHazards; ++Index)
 	{
-		const FCell& Cell = (*Section.Cells)[static_cast<EHazard>(Index)];
+		const FCell& Cell = Row.Cells.at(Index);
 		std::string* Found = nullptr;
 		for (auto& [Other, Titles] : Lines)
 		{
@@ -291,25 +251,19 @@ std::string MakeDoc()
 		Text << "| " << Stated.Check << " | " << Stated.File << " | " << Stated.Reason << " |\n";
 	}
 	Text << AboutFrame;
-	WriteTables(Text, GetFrames(), "frame");
+	WriteTables(Text, GetRows("pipeline/"), "frame");
 	Text << "\n## Passes\n";
-	WriteTables(Text, GetPasses(), "pass");
+	WriteTables(Text, GetRows("passes/"), "pass");
 	Text << "\n## Rules of blending\n";
-	WriteTables(Text, GetRules(), "rule");
-	Text << "\n## Why: the whole frame\n";
-	for (const FSection& Section : GetFrames())
+	WriteTables(Text, GetRows("settings/"), "rule");
+	for (const auto& [Title, Rows] : {std::pair("the whole frame", GetRows("pipeline/")),
+			 std::pair("passes", GetRows("passes/")), std::pair("rules of blending", GetRows("settings/"))})
 	{
-		WriteReasons(Text, Section);
-	}
-	Text << "\n## Why: passes\n";
-	for (const FSection& Section : GetPasses())
-	{
-		WriteReasons(Text, Section);
-	}
-	Text << "\n## Why: rules of blending\n";
-	for (const FSection& Section : GetRules())
-	{
-		WriteReasons(Text, Section);
+		Text << "\n## Why: " << Title << "\n";
+		for (const FRow* Row : Rows)
+		{
+			WriteReasons(Text, *Row);
+		}
 	}
 	return Text.str();
 }

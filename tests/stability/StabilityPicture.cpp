@@ -59,20 +59,6 @@ std::string Escape(std::string_view Text)
 	return Escaped;
 }
 
-std::vector<const FPassRow*> GetRows()
-{
-	std::vector<const FPassRow*> Rows;
-	for (const auto GetRowsOf : {GetFrameRows, GetSamplingRows, GetBloomRows, GetBlurRows, GetToonRows, GetREDRows,
-			 GetLensRows, GetExposureRows, GetDisplayRows})
-	{
-		for (const FPassRow& Row : GetRowsOf())
-		{
-			Rows.push_back(&Row);
-		}
-	}
-	return Rows;
-}
-
 void DrawLegend(std::ostream& Svg, int Y)
 {
 	int X = 4 * Cell;
@@ -89,7 +75,11 @@ void DrawLegend(std::ostream& Svg, int Y)
 
 std::string MakeStabilityPicture()
 {
-	const std::vector<const FPassRow*> Rows = GetRows();
+	std::vector<const FRow*> Rows = GetRows("pipeline/");
+	for (const FRow* Pass : GetRows("passes/"))
+	{
+		Rows.push_back(Pass);
+	}
 	const int Width = LabelWidth + Cell * static_cast<int>(NumHazards) + 60;
 	const int Height = TitleHeight + Cell * static_cast<int>(Rows.size()) + LegendHeight;
 	std::ostringstream Svg;

@@ -1,17 +1,16 @@
 // Every cell of the stability table, and that the table has a row for everything there is.
 #include <gtest/gtest.h>
 
-#include "Cases.h"
 #include "CheckPass.h"
+#include "Runs.h"
 
 #include "ExtensionFactory.h"
 #include "PassFactory.h"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
-#include <sstream>
+#include <stdexcept>
 
 namespace Stability
 {
@@ -19,141 +18,72 @@ namespace Stability
 namespace
 {
 
-std::vector<const FPassRow*> GetPassRows()
-{
-	std::vector<const FPassRow*> Rows;
-	for (const auto GetRows : {GetSamplingRows, GetBloomRows, GetBlurRows, GetToonRows, GetREDRows, GetLensRows,
-			 GetExposureRows, GetDisplayRows})
-	{
-		for (const FPassRow& Row : GetRows())
-		{
-			Rows.push_back(&Row);
-		}
-	}
-	return Rows;
-}
-
-std::vector<const FPassRow*> GetFrameRowPointers()
-{
-	std::vector<const FPassRow*> Rows;
-	for (const FPassRow& Row : GetFrameRows())
-	{
-		Rows.push_back(&Row);
-	}
-	return Rows;
-}
-
-std::vector<const FBlendRow*> GetBlendRowPointers()
-{
-	std::vector<const FBlendRow*> Rows;
-	for (const FBlendRow& Row : GetBlendRows())
-	{
-		Rows.push_back(&Row);
-	}
-	return Rows;
-}
-
 /** What gtest takes for a name. */
-std::string MakeName(const char* Name)
+std::string MakeName(std::string Name)
 {
-	std::string Text;
-	for (const char* At = Name; *At != 0; ++At)
+	for (char& Letter : Name)
 	{
-		Text += std::isalnum(static_cast<unsigned char>(*At)) ? *At : '_';
+		Letter = std::isalnum(static_cast<unsigned char>(Letter)) ? Letter : '_';
 	}
-	return Text;
+	return Name;
 }
 
-template<typename TRow>
-std::vector<std::pair<const TRow*, EHazard>> MakeCells(const std::vector<const TRow*>& Rows)
+struct FTestedCell
 {
-	std::vector<std::pair<const TRow*, EHazard>> Cells;
-	for (const TRow* Row : Rows)
+	const FRow* Row;
+	EHazard Hazard;
+
+	const FCell& Get() const { return Row->Cells[Hazard]; }
+};
+
+void PrintTo(const FTestedCell& Cell, std::ostream* Stream)
+{
+	const char* Meaning = Expectations[static_cast<size_t>(Cell.Get().Expect)].Meaning;
+	*Stream << Cell.Get().Place << ": " << Meaning << ", because: " << Cell.Get().Reason;
+}
+
+std::vector<FTestedCell> GetCells(const char* Folder)
+{
+	std::vector<FTestedCell> Cells;
+	for (const FRow* Row : GetRows(Folder))
 	{
 		for (size_t Hazard = 0; Hazard < NumHazards; ++Hazard)
 		{
-			if (Row->Cells[static_cast<EHazard>(Hazard)].Expect != EExpect::DoesNotApply)
+			if (Row->Cells.at(Hazard).Expect != EExpect::DoesNotApply)
 			{
-				Cells.emplace_back(Row, static_cast<EHazard>(Hazard));
+				Cells.push_back({Row, static_cast<EHazard>(Hazard)});
 			}
 		}
 	}
 	return Cells;
 }
 
-struct FCellName
+std::string GetCellName(const testing::TestParamInfo<FTestedCell>& Info)
 {
-	template<typename TInfo>
-	std::string operator()(const TInfo& Info) const
-	{
-		return MakeName(Info.param.first->Name) + "__" + Hazards[static_cast<size_t>(Info.param.second)].Name;
-	}
-};
-
-template<typename TRow>
-std::string Describe(const TRow& Row, EHazard Hazard)
-{
-	const FCell& Cell = Row.Cells[Hazard];
-	return std::string(Expectations[static_cast<size_t>(Cell.Expect)].Meaning) +
-		   ", because: " + std::string(Cell.Reason);
+	return MakeName(Info.param.Row->Name) + "__" + Hazards[static_cast<size_t>(Info.param.Hazard)].Name;
 }
 
-class PassCells : public testing::TestWithParam<std::pair<const FPassRow*, EHazard>>
-{
-};
+using PassCells = testing::TestWithParam<FTestedCell>;
 
-class BlendCells : public testing::TestWithParam<std::pair<const FBlendRow*, EHazard>>
+class BlendCells : public PassCells
 {
 };
 
 } // namespace
 
-void PrintTo(const std::pair<const FPassRow*, EHazard>& Cell, std::ostream* Stream)
-{
-	*Stream << FCellName()(testing::TestParamInfo(Cell, 0));
-}
-
-void PrintTo(const std::pair<const FBlendRow*, EHazard>& Cell, std::ostream* Stream)
-{
-	*Stream << FCellName()(testing::TestParamInfo(Cell, 0));
-}
-
 TEST_P(PassCells, AreAsTheTableSays)
 {
-	const auto& [Row, Hazard] = GetParam();
-	EXPECT_EQ("", CheckPass(*Row, Hazard))
-		<< Row->Name << ", " << Hazards[static_cast<size_t>(Hazard)].Title << ": " << Describe(*Row, Hazard);
+	EXPECT_EQ("", CheckPass(*GetParam().Row, GetParam().Hazard));
 }
 
 TEST_P(BlendCells, AreAsTheTableSays)
 {
-	const auto& [Row, Hazard] = GetParam();
-	EXPECT_EQ("", CheckBlend(*Row, Hazard))
-		<< Row->Name << ", " << Hazards[static_cast<size_t>(Hazard)].Title << ": " << Describe(*Row, Hazard);
+	EXPECT_EQ("", CheckBlend(*GetParam().Row, GetParam().Hazard));
 }
 
-INSTANTIATE_TEST_SUITE_P(Frame, PassCells, testing::ValuesIn(MakeCells(GetFrameRowPointers())), FCellName());
-INSTANTIATE_TEST_SUITE_P(Table, PassCells, testing::ValuesIn(MakeCells(GetPassRows())), FCellName());
-INSTANTIATE_TEST_SUITE_P(Table, BlendCells, testing::ValuesIn(MakeCells(GetBlendRowPointers())), FCellName());
-
-namespace
-{
-
-std::set<std::string> GetCoveredFactories()
-{
-	std::set<std::string> Covered;
-	for (const FPassRow* Row : GetPassRows())
-	{
-		std::istringstream Names(Row->Factories);
-		for (std::string Name; Names >> Name;)
-		{
-			Covered.insert(Name);
-		}
-	}
-	return Covered;
-}
-
-} // namespace
+INSTANTIATE_TEST_SUITE_P(Frame, PassCells, testing::ValuesIn(GetCells("pipeline/")), GetCellName);
+INSTANTIATE_TEST_SUITE_P(Table, PassCells, testing::ValuesIn(GetCells("passes/")), GetCellName);
+INSTANTIATE_TEST_SUITE_P(Table, BlendCells, testing::ValuesIn(GetCells("settings/")), GetCellName);
 
 TEST(StabilityTable, HasARowForEveryPassAndExtensionOfAConfig)
 {
@@ -166,7 +96,12 @@ TEST(StabilityTable, HasARowForEveryPassAndExtensionOfAConfig)
 	{
 		Types.insert(Factory->Type);
 	}
-	EXPECT_EQ(Types, GetCoveredFactories());
+	std::set<std::string> Covered;
+	for (const FRow* Row : GetRows("passes/"))
+	{
+		Covered.insert(Row->Words.begin(), Row->Words.end());
+	}
+	EXPECT_EQ(Types, Covered);
 }
 
 /** Headers of passes/ that add no pass, or are a part of one whose own header has a row. */
@@ -196,11 +131,65 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 		EXPECT_EQ(1u, Headers.erase(Name)) << Name << " is no longer there";
 	}
 	std::set<std::string> Covered;
-	for (const FPassRow* Row : GetPassRows())
+	for (const FRow* Row : GetRows("passes/"))
 	{
-		Covered.insert(Row->Header);
+		Covered.insert(Row->Header.substr(std::string("passes/").size()));
 	}
 	EXPECT_EQ(Headers, Covered);
+}
+
+TEST(StabilityTable, HasARunForEveryRowOfAPass)
+{
+	std::set<std::string> Rows;
+	for (const char* Folder : {"pipeline/", "passes/"})
+	{
+		for (const FRow* Row : GetRows(Folder))
+		{
+			EXPECT_TRUE(Rows.insert(Row->Name).second) << Row->Name << " has two rows";
+			EXPECT_EQ(1u, GetRuns().count(Row->Name)) << Row->Name << " has no run";
+		}
+	}
+	for (const auto& [Name, Run] : GetRuns())
+	{
+		EXPECT_EQ(1u, Rows.count(Name)) << Name << " has no row";
+	}
+}
+
+TEST(StabilityTable, NamesTheLineOfAMistake)
+{
+	const auto GetMistake = [](const std::string& Lines) -> std::string
+	{
+		try
+		{
+			ReadTable({{"File", "# A comment.\nAll = NaN..TenThousand Finite:\n\t\ta reason\n" + Lines}});
+			return "";
+		}
+		catch (const std::runtime_error& Mistake)
+		{
+			return Mistake.what();
+		}
+	};
+	EXPECT_EQ("", GetMistake("[A: b] H.h Word: All\n\tNaN Zero 1e-3: own cells replace\n[C] H.h: [A: b] All"));
+	const std::pair<const char*, const char*> Mistakes[] = {
+		{"Name: NaN", "File:4: expected [Row] Header.h, or Name = cells, or a tab and cells"},
+		{"\tNaN Zero: a reason", "File:4: there is no row above"},
+		{"[A] H.h", "File:4: A has no cell for NaN"},
+		{"[A]", "File:4: expected a header after [Row]"},
+		{"[A] : All", "File:4: expected a header after [Row]"},
+		{"[A] H.h: All\n[B] H.h: [C] All", "File:5: there is no row C"},
+		{"[A] H.h: Al", "File:4: there are no cells of the name Al"},
+		{"A = All\nA = Huge Zero: a reason", "File:5: Huge is given twice, first at File:2"},
+		{"[A] H.h: All\n\tHuge Zero: a reason\n\tHuge Zero: a reason", "File:6: Huge is given twice, first at File:5"},
+		{"A = NaN Zero: a reason.", "File:4: expected a colon and a reason without a full stop"},
+		{"A = 1: a reason", "File:4: expected hazards, an expectation and perhaps a bound: 1"},
+		{"A = Zero: a reason", "File:4: expected hazards, an expectation and perhaps a bound: Zero"},
+		{"A = NaN Zer: a reason", "File:4: there is no expectation Zer"},
+		{"A = NaN..Hug Zero: a reason", "File:4: there is no hazard Hug"},
+	};
+	for (const auto& [Lines, Expected] : Mistakes)
+	{
+		EXPECT_EQ(Expected, GetMistake(Lines));
+	}
 }
 
 } // namespace Stability

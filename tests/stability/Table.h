@@ -1,23 +1,26 @@
-// Cells and rows of the stability table. A cell says what is expected and why, or why the hazard does not apply. Cells
-// have no default, and a reason is tested when it is compiled: a row that leaves one out does not build. Data only; the
-// checkers are CheckPass.cpp and CheckBlend.cpp.
+// The stability table: a row is a pass, a frame or a rule of blending, a column a hazard, and a cell what is expected
+// and why. The table is data: NamedCells.txt, PassRows.txt and BlendRows.txt, which Table.cpp reads and CheckPass.cpp
+// and CheckBlend.cpp carry out. Lines of these files:
+//
+//   [Row] path/of/its/Header.h Word Word: [Other row] Name Name
+//   <tab>Hazard Hazard Expectation Bound, Hazard..Hazard Expectation: the reason
+//   Name = Hazard Expectation Bound: the reason
+//   Name = Name Name
+//
+// A row takes the cells of the other row first, then those of the names, then its own. Own cells replace the cells of
+// names, and these replace the cells of the other row. First..Last names both columns and all between them. A line of
+// a name adds cells to it. A line that begins with two tabs continues the line before it, and # begins a comment.
 #pragma once
 
 #include "Hazards.h"
 
-#include <span>
+#include <array>
+#include <string>
 #include <string_view>
-
-namespace PassReference
-{
-struct FImage;
-}
+#include <vector>
 
 namespace Stability
 {
-
-using PassReference::FImage;
-struct FCase;
 
 /** X(expectation, symbol in docs/stability.md, what it says of a result). Those of blend rules come last. */
 #define STABILITY_EXPECTATIONS(X) \
@@ -79,125 +82,48 @@ inline constexpr FExpectation Expectations[] = {
 #undef X
 };
 
-class FCell
+struct FCell
 {
-public:
-	/** Reason: a sentence without its full stop. Bound: what the expectation needs a number for. */
-	consteval FCell(EExpect InExpect, const char* InReason, double InBound = 0.0)
-		: Expect(InExpect)
-		, Reason(InReason)
-		, Bound(InBound)
-	{
-		if (Reason.size() < 6 || Reason.back() == '.')
-		{
-			throw "a cell of the stability table needs a reason";
-		}
-	}
-
-	EExpect Expect;
-	std::string_view Reason;
-	double Bound;
+	/** MAX: none is given. */
+	EExpect Expect = EExpect::MAX;
+	/** The number that the expectation needs. */
+	double Bound = 0.0;
+	/** A sentence without its full stop. */
+	std::string Reason;
+	/** File and line in the table. */
+	std::string Place;
 };
 
-/** One cell to a hazard, by name. */
-struct FCells
+/** One cell to a hazard. */
+struct FCells : std::array<FCell, NumHazards>
 {
-#define X(Name, Group, Title, Case) FCell Name;
-	STABILITY_HAZARDS(X)
-#undef X
-
-	constexpr const FCell& operator[](EHazard Hazard) const
-	{
-		constexpr FCell FCells::*Members[] = {
-#define X(Name, Group, Title, Case) &FCells::Name,
-			STABILITY_HAZARDS(X)
-#undef X
-		};
-		return this->*Members[static_cast<std::size_t>(Hazard)];
-	}
+	const FCell& operator[](EHazard Hazard) const { return at(static_cast<size_t>(Hazard)); }
 };
 
-/** A pass, or several that make one effect. */
-struct FPassRow
+struct FRow
 {
-	const char* Name;
-	const char* Header;
-	/** Names of factories (config types) whose passes these are, separated by spaces. */
-	const char* Factories;
-	/** Builds and runs it. */
-	FImage (*Run)(const FCase& Case);
-	/** The formula, computed apart; null where no cell asks for it. */
-	FImage (*Formula)(const FCase& Case) = nullptr;
-	/** Forms that all cells hold for; FCase::Variant counts them. */
-	int NumVariants = 1;
-	/** Size of the input over that of the result. */
-	double Shrink = 1.0;
-	/** How far beyond the pixels under it a result looks, pixels of the input. */
-	double Reach = 0.0;
-	/** What a constant and the sum of the light are multiplied by. */
-	double Gain = 1.0;
-	FCells Cells;
+	std::string Name;
+	std::string Header;
+	/** Passes: the factories (config types) whose passes these are. Rules: how it is tried (CheckBlend.cpp), and the
+	 *  setting it is tried on. */
+	std::vector<std::string> Words;
+	FCells Cells = {};
+	std::string Place;
 };
 
-/** How a rule is tried: CheckBlend.cpp. */
-enum class EBlendForm
+/** A file of the table. */
+struct FTableText
 {
-	Volumes,   // the setting, in two unbound volumes
-	Table,     // weight of a colour grading table, by ColorGradingIntensity
-	Cubemap,   // colour of a cubemap, by AmbientCubemapIntensity
-	Blendable, // weight of a blendable
-	Distance,  // weight of a volume of radius 100, by the distance
-	Parts,     // FPostProcessUtils::BlendPostProcessSettings
+	std::string File;
+	std::string Text;
 };
 
-/** A rule of blending settings. */
-struct FBlendRow
-{
-	const char* Name;
-	const char* Header;
-	EBlendForm Form;
-	/** The setting it is tried on, where the form has one. */
-	const char* Setting;
-	FCells Cells;
-};
+/** Throws std::runtime_error, which begins with file and line: a line is not as it should be, a row gives a cell twice
+ * or lacks one. */
+std::vector<FRow> ReadTable(const std::vector<FTableText>& Texts);
 
-// Words for cells ---------------------------------------------------------------------------------------------------
-
-#define X(Name, Symbol, Meaning) \
-	consteval FCell Name(const char* Reason, double Bound = 0.0) \
-	{ \
-		return FCell(EExpect::Name, Reason, Bound); \
-	}
-STABILITY_EXPECTATIONS(X)
-#undef X
-
-// Reasons that many rows share --------------------------------------------------------------------------------------
-
-inline constexpr FCell NoWeight = DoesNotApply("settings are blended before a pass sees them");
-inline constexpr FCell NoPriority = DoesNotApply("volumes are sorted before a pass sees the settings");
-inline constexpr FCell NoHistory = DoesNotApply("it keeps nothing from frame to frame");
-inline constexpr FCell NoKernel = DoesNotApply("it has no kernel whose width could be set");
-inline constexpr FCell NoThreshold = DoesNotApply("it has no threshold");
-inline constexpr FCell NoIntensity = DoesNotApply("it has no intensity");
-inline constexpr FCell NoPower = DoesNotApply("it computes no power");
-inline constexpr FCell NoLuminance = DoesNotApply("it does not look at luminance");
-inline constexpr FCell NoLevels = DoesNotApply("it works at one resolution");
-inline constexpr FCell NoSum = DoesNotApply("a pixel depends on no other, so nothing is summed");
-inline constexpr FCell RoundedBefore =
-	AsInfinity("a half texture rounds when it is written, as IEEE 754 says, before the pass sees it");
-
-// The rows ----------------------------------------------------------------------------------------------------------
-
-std::span<const FPassRow> GetSamplingRows();
-std::span<const FPassRow> GetBloomRows();
-std::span<const FPassRow> GetBlurRows();
-std::span<const FPassRow> GetToonRows();
-std::span<const FPassRow> GetREDRows();
-std::span<const FPassRow> GetLensRows();
-std::span<const FPassRow> GetExposureRows();
-std::span<const FPassRow> GetDisplayRows();
-/** Frames, not passes: each Header is one of pipeline/. */
-std::span<const FPassRow> GetFrameRows();
-std::span<const FBlendRow> GetBlendRows();
+/** Rows whose header is in a folder ("passes/"), in the order of the table. Frames are in pipeline/, rules in
+ * settings/. */
+std::vector<const FRow*> GetRows(std::string_view Folder);
 
 } // namespace Stability

@@ -20,7 +20,9 @@ namespace
 constexpr double PlainShadow = 0.4;   // of R; multiples of 1/5 are multiples of 1/255
 constexpr double BlurredShadow = 0.6; // of A
 
-FImage RunBlur(const FCase& Case, bool bAsPrinted)
+/** The picture is the shadow buffer, and the result A in every channel, decoded. */
+template<bool bAsPrinted>
+FImage RunToonShadowBlur(const FCase& Case)
 {
 	FCase Stored = Case;
 	Stored.Format = PF_R8G8B8A8;
@@ -63,7 +65,9 @@ FTextureRHIRef MakeStraightRamp()
 	return MakePictureTexture(FIntPoint(256, 1), Colors, "Ramp");
 }
 
-FImage RunLighting(const FCase& Case, bool bAsPrinted)
+/** The picture is lit scene colour; the shadow is 0.4, blurred 0.6. */
+template<bool bAsPrinted>
+FImage RunToonShadowLighting(const FCase& Case)
 {
 	FFrameRun Run(Case);
 	FToonShadowLightingInputs Inputs;
@@ -81,13 +85,7 @@ FImage RunLighting(const FCase& Case, bool bAsPrinted)
 	return Run.Execute(AddToonShadowLightingPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-} // namespace
-
-FImage RunToonShadowBlur(const FCase& Case)
-{
-	return RunBlur(Case, false);
-}
-
+/** Of a flat picture. */
 FImage ToonShadowBlurFormula(const FCase& Case)
 {
 	const FTexel& Flat = Case.Image.At(0, 0);
@@ -95,22 +93,7 @@ FImage ToonShadowBlurFormula(const FCase& Case)
 	return FImage(Case.Image.Width, Case.Image.Height, {Shadow, Shadow, Shadow, 1});
 }
 
-FImage RunToonShadowBlurAsPrinted(const FCase& Case)
-{
-	return RunBlur(Case, true);
-}
-
-FImage RunToonShadowLighting(const FCase& Case)
-{
-	return RunLighting(Case, false);
-}
-
-FImage RunToonShadowLightingAsPrinted(const FCase& Case)
-{
-	return RunLighting(Case, true);
-}
-
-// White light on a white base.
+/** White light on a white base. */
 FImage ToonShadowLightingFormula(const FCase& Case)
 {
 	const double Intensity = Case.Intensity.value_or(1.0);
@@ -135,5 +118,15 @@ FImage ToonShadowLightingFormula(const FCase& Case)
 			return Color;
 		});
 }
+
+const FRunRegistration ToonRuns({
+	{"Toon-shadow blur", {.Run = RunToonShadowBlur<false>, .Formula = ToonShadowBlurFormula}},
+	{"Toon-shadow blur as printed", {.Run = RunToonShadowBlur<true>, .Formula = ToonShadowBlurFormula}},
+	{"Toon-shadow lighting",
+		{.Run = RunToonShadowLighting<false>, .Formula = ToonShadowLightingFormula, .NumVariants = 4}},
+	{"Toon-shadow lighting as printed", {.Run = RunToonShadowLighting<true>, .NumVariants = 2}},
+});
+
+} // namespace
 
 } // namespace Stability
