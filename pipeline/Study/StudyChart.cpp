@@ -292,7 +292,7 @@ private:
 		}
 		if (Any(&FStudyVariant::bPlainCode))
 		{
-			Add("plain code in float lanes, no shader",
+			Add("plain code in double, no shader",
 				[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 5.0, true, "f7"); });
 		}
 		Y += 14.0;
