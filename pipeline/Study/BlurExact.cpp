@@ -1,4 +1,4 @@
-// Computes the exact blur line by line, in double.
+// Computes the exact blur along rows, then along columns, in double.
 #include "Study/BlurExact.h"
 
 #include "Math/ToInteger.h"
@@ -13,20 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-/** Many lines side by side: element I of line L is at Data[I * NumLines + L], so that loops over lines are vectors. */
-struct FLines
-{
-	int Length = 0;
-	int NumLines = 0;
-	std::vector<double> Data;
-
-	double* At(int Index) { return Data.data() + static_cast<size_t>(Index) * static_cast<size_t>(NumLines); }
-	const double* At(int Index) const
-	{
-		return Data.data() + static_cast<size_t>(Index) * static_cast<size_t>(NumLines);
-	}
-};
 
 constexpr int LargestReach = 1 << 20; // of a standard deviation far beyond the 1000 that a study takes
 
@@ -66,78 +52,62 @@ FKernelWeights MakeGaussian(double Sigma)
 	return {std::move(Weights), std::move(Tails)};
 }
 
-void Convolve(const FLines& In, FLines& Out, const FKernelWeights& Kernel)
+/** In tiles of columns, so that loops over these are vectors. */
+FImage BlurColumns(const FImage& In, const FKernelWeights& Kernel)
 {
-	const auto& [Weights, Tails] = Kernel;
-	const int Reach = static_cast<int>(Weights.size()) - 1;
-	const auto Add = [&](double* Sum, const double* Texel, double Weight)
+	constexpr int ValuesPerTile = 48;
+	const int Reach = static_cast<int>(Kernel.Weights.size()) - 1;
+	const int RowLength = In.Width * In.NumChannels;
+	FImage Out = In;
+	const auto BlurTile = [&](const FKernelTile& Tile)
 	{
-		for (int Line = 0; Line < In.NumLines; ++Line)
+		const auto GetIndex = [&](int Row)
 		{
-			Sum[Line] += Weight * Texel[Line];
+			return static_cast<size_t>(Row) * static_cast<size_t>(RowLength) + static_cast<size_t>(Tile.MinX);
+		};
+		for (int Row = 0; Row < In.Height; ++Row)
+		{
+			double* Sum = Out.Values.data() + GetIndex(Row);
+			std::fill(Sum, Sum + (Tile.MaxX - Tile.MinX), 0.0);
+			const auto Add = [&](int Other, double Weight)
+			{
+				const double* Value = In.Values.data() + GetIndex(Other);
+				for (int Column = 0; Column < Tile.MaxX - Tile.MinX; ++Column)
+				{
+					Sum[Column] += Weight * Value[Column];
+				}
+			};
+			const auto Tail = [&](int Distance)
+			{
+				return Distance <= Reach ? Kernel.Tails[static_cast<size_t>(Distance)] : 0.0;
+			};
+			Add(0, Tail(Row + 1));
+			Add(In.Height - 1, Tail(In.Height - Row));
+			const int Last = std::min(In.Height - 1, Row + Reach);
+			for (int Other = std::max(0, Row - Reach); Other <= Last; ++Other)
+			{
+				Add(Other, Kernel.Weights[static_cast<size_t>(std::abs(Other - Row))]);
+			}
 		}
 	};
-	const auto Tail = [&](int Distance)
-	{
-		return Distance <= Reach ? Tails[static_cast<size_t>(Distance)] : 0.0;
-	};
-	for (int Index = 0; Index < In.Length; ++Index)
-	{
-		double* Sum = Out.At(Index);
-		std::fill(Sum, Sum + In.NumLines, 0.0);
-		Add(Sum, In.At(0), Tail(Index + 1));
-		Add(Sum, In.At(In.Length - 1), Tail(In.Length - Index));
-		const int First = std::max(0, Index - Reach);
-		const int Last = std::min(In.Length - 1, Index + Reach);
-		for (int Other = First; Other <= Last; ++Other)
-		{
-			Add(Sum, In.At(Other), Weights[static_cast<size_t>(std::abs(Other - Index))]);
-		}
-	}
+	ForEachTile(FKernelTile{0, 0, 0, RowLength, 1, 1}, FIntPoint(ValuesPerTile, 1), BlurTile);
+	return Out;
 }
 
-/** Blurs along one axis, in tiles of lines. */
-FImage BlurAxis(const FImage& In, bool bRows, const FKernelWeights& Kernel)
+FImage Transpose(const FImage& In)
 {
-	constexpr int LinesPerTile = 48;
-	FImage Out = In;
-	const int Length = bRows ? In.Width : In.Height;
-	const int NumAcross = bRows ? In.Height : In.Width;
-	const int LinesAcross = std::max(1, LinesPerTile / In.NumChannels);
-	const auto IndexOf = [&](int Along, int Across)
+	FImage Out{In.Height, In.Width, In.NumChannels, {}};
+	Out.Values.reserve(In.Values.size());
+	for (int X = 0; X < In.Width; ++X)
 	{
-		const size_t X = static_cast<size_t>(bRows ? Along : Across);
-		const size_t Y = static_cast<size_t>(bRows ? Across : Along);
-		return (Y * static_cast<size_t>(In.Width) + X) * static_cast<size_t>(In.NumChannels);
-	};
-	ForEachTile(FKernelTile{0, 0, 0, NumAcross, 1, 1}, FIntPoint(LinesAcross, 1),
-		[&](const FKernelTile& Tile)
+		for (int Y = 0; Y < In.Height; ++Y)
 		{
-			FLines Lines;
-			Lines.Length = Length;
-			Lines.NumLines = (Tile.MaxX - Tile.MinX) * In.NumChannels;
-			Lines.Data.resize(static_cast<size_t>(Length) * static_cast<size_t>(Lines.NumLines));
-			for (int Along = 0; Along < Length; ++Along)
+			for (int Channel = 0; Channel < In.NumChannels; ++Channel)
 			{
-				double* Line = Lines.At(Along);
-				for (int Across = Tile.MinX; Across < Tile.MaxX; ++Across)
-				{
-					const double* Texel = In.Values.data() + IndexOf(Along, Across);
-					Line = std::copy(Texel, Texel + In.NumChannels, Line);
-				}
+				Out.Values.push_back(In.Get(X, Y, Channel));
 			}
-			FLines Blurred = Lines;
-			Convolve(Lines, Blurred, Kernel);
-			for (int Along = 0; Along < Length; ++Along)
-			{
-				const double* Line = Blurred.At(Along);
-				for (int Across = Tile.MinX; Across < Tile.MaxX; ++Across)
-				{
-					std::copy(Line, Line + In.NumChannels, Out.Values.data() + IndexOf(Along, Across));
-					Line += In.NumChannels;
-				}
-			}
-		});
+		}
+	}
 	return Out;
 }
 
@@ -150,7 +120,7 @@ FImage BlurExact(const FImage& Image, double StandardDeviation)
 		return Image;
 	}
 	const FKernelWeights Kernel = MakeGaussian(StandardDeviation);
-	return BlurAxis(BlurAxis(Image, true, Kernel), false, Kernel);
+	return BlurColumns(Transpose(BlurColumns(Transpose(Image), Kernel)), Kernel);
 }
 
 double GetExactTaps(double StandardDeviation)
