@@ -56,7 +56,6 @@ struct FChartPoint
 	double High = 0.0;
 	std::string Label = {}; // beside it, where there is room
 	std::string Tip = {};   // for a pointer that rests on it
-	bool bDiamond = false;
 	bool bPale = false;
 	bool bNow = false;  // a dashed ring
 	bool bPick = false; // a ring

@@ -55,25 +55,17 @@ std::vector<FSvgPoint> ThinOut(const std::vector<FSvgPoint>& Points)
 	return Kept;
 }
 
-std::string DrawMarker(
-	const FSvgPoint& At, double Radius, bool bDiamond, const std::string& Class, const std::string& Tip = "")
+std::string DrawCircle(const FSvgPoint& At, double Radius, const std::string& Class, const std::string& Tip = "")
 {
-	const auto [X, Y] = At;
-	const double R = Radius * 1.25;
-	const std::string Shape = bDiamond
-								  ? "path d=\"" + SvgPathData({{X - R, Y}, {X, Y - R}, {X + R, Y}, {X, Y + R}}) + " Z\""
-								  : fmt::format("circle cx=\"{}\" cy=\"{}\" r=\"{}\"", Px(X), Px(Y), Px(Radius));
-	const std::string End =
-		Tip.empty() ? "/>\n" : fmt::format("><title>{}</title></{}>\n", EscapeXml(Tip), bDiamond ? "path" : "circle");
-	return "<" + Shape + " class=\"" + Class + "\"" + End;
+	return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" class=\"{}\"{}", Px(At.first), Px(At.second), Px(Radius),
+		Class, Tip.empty() ? "/>\n" : "><title>" + EscapeXml(Tip) + "</title></circle>\n");
 }
 
 std::string DrawPoint(const FChartPoint& Point, const FSvgPoint& At, double Radius, const std::string& Color)
 {
-	const std::string Dot = "dot " + Color + (Point.bPale ? " off" : "");
-	return DrawMarker(At, Radius, Point.bDiamond, Dot, Point.Tip) +
-		   (Point.bNow ? DrawMarker(At, Radius + 4.0, false, "now") : "") +
-		   (Point.bPick ? DrawMarker(At, Radius + (Point.bNow ? 7.5 : 4.0), false, "pick") : "");
+	return DrawCircle(At, Radius, "dot " + Color + (Point.bPale ? " off" : ""), Point.Tip) +
+		   (Point.bNow ? DrawCircle(At, Radius + 4.0, "now") : "") +
+		   (Point.bPick ? DrawCircle(At, Radius + (Point.bNow ? 7.5 : 4.0), "pick") : "");
 }
 
 /** Places labels beside points, one after the other, where nothing is yet. */

@@ -190,7 +190,7 @@ FChartPanel MakeSweepPanel(
 				const double Y = bErrors ? Errors.Place(Value) : Value;
 				Series.Name = bErrors ? Errors.Label(Variant.Label, Value) : Variant.Label;
 				Series.Line.emplace_back(X, Y);
-				Series.Points.push_back({.X = X, .Y = Y, .Low = X, .High = X, .bDiamond = Variant.bPlainCode});
+				Series.Points.push_back({.X = X, .Y = Y, .Low = X, .High = X});
 			}
 		}
 		if (!Series.Line.empty())
@@ -213,7 +213,7 @@ std::vector<std::vector<FChartLegend>> MakeLegend(const FStudyResult& Result, ES
 		if (Shown != Result.Jobs.end())
 		{
 			const FStudyVariant& Variant = Result.Variants[Shown->Variants[Choice]];
-			Choices.push_back({Variant.Label, GetColor(Choice), {.bDiamond = Variant.bPlainCode}});
+			Choices.push_back({Variant.Label, GetColor(Choice), {}});
 		}
 	}
 	const auto Any = [&](bool FStudyVariant::*Member)
@@ -230,10 +230,6 @@ std::vector<std::vector<FChartLegend>> MakeLegend(const FStudyResult& Result, ES
 	if (Any(&FStudyVariant::bCurrent))
 	{
 		Marks.push_back({"in use now", "c7", {.bNow = true}});
-	}
-	if (Any(&FStudyVariant::bPlainCode))
-	{
-		Marks.push_back({"plain code in double, no shader", "c7", {.bDiamond = true}});
 	}
 	return {Choices, Marks};
 }
@@ -282,10 +278,8 @@ FChartPanel MakeStudyPanel(const FStudyResult& Result, const FStudyJob& Job, ESt
 		FChartSeries& Series = Panel.Series.emplace_back();
 		Series.Name = Variant.Label;
 		Series.Color = GetColor(Variant.Choice);
-		// A recommendation depends on time, so it is not shown over taps, which are the same on every run.
 		Series.Points.push_back({X, Errors.Place(Error), bTime ? Variant.Time.Low : X, bTime ? Variant.Time.High : X,
-			Errors.Label(Variant.Label, Error), "", Variant.bPlainCode, !bFront, Variant.bCurrent,
-			bTime && Variant.bRecommended});
+			Errors.Label(Variant.Label, Error), "", !bFront, Variant.bCurrent, Variant.bRecommended});
 		if (bFront && !Variant.bPlainCode)
 		{
 			Front.emplace_back(X, Errors.Place(Error));
@@ -342,6 +336,14 @@ FChart MakeStudyChart(const FStudyResult& Result, EStudyCost Cost)
 		FChartPanel& Panel = Chart.Panels.emplace_back(MakeStudyPanel(Result, *Job, Cost, Result.GetMetric()));
 		Panel.NumColumns = Shown.size() == 1 ? 1 : Shown.size() <= 4 ? 2 : 3;
 		Panel.Height = Panel.NumColumns == 1 ? 392.0 : Panel.NumColumns == 2 ? 272.0 : 232.0;
+		for (FChartSeries& Series : Panel.Series)
+		{
+			for (FChartPoint& Point : Series.Points)
+			{
+				// A recommendation depends on time, and the chart over taps is the same on every run.
+				Point.bPick = Point.bPick && Cost == EStudyCost::Milliseconds;
+			}
+		}
 	}
 	return Chart;
 }
