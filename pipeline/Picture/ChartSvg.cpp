@@ -107,7 +107,8 @@ public:
 			const std::string Label =
 				PlaceAt({{X + Distance, Y + 4.0}, {X - Distance - Width, Y + 4.0}, {X + Diagonal, Y - Diagonal},
 							{X + Diagonal, Y + Diagonal + 7.0}, {X - Diagonal - Width, Y - Diagonal},
-							{X - Diagonal - Width, Y + Diagonal + 7.0}, {X - Width / 2.0, Y - Distance},
+							{X - Diagonal - Width, Y + Diagonal + 7.0}, {X + 16.0, Y + 4.0 + Distance},
+							{X + 16.0, Y + 4.0 - Distance}, {X - Width / 2.0, Y - Distance},
 							{X - Width / 2.0, Y + Distance + 8.0}},
 					Text, Width, Class);
 			if (!Label.empty())

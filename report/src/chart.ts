@@ -131,7 +131,7 @@ export function drawPanel(panel: Panel, options: DrawOptions): SVGSVGElement {
 		const name = (point.label ?? "") + (point.pick ? " · recommended" : "") + (point.now ? " · in use" : "");
 		const width = name.length * 6.4;
 		const spots = [-8, 17, -26, 35].flatMap((below) => [at.cx + 13, at.cx - 13 - width].map((left) => ({ x: left, y: at.cy + below, width })));
-		const spot = spots.find((spot) => spot.x > box.left && spot.x + width < box.right + 10 &&
+		const spot = spots.find((spot) => spot.x > box.left && spot.y > box.top && spot.x + width < box.right + 10 &&
 			!taken.some((other) => Math.abs(other.y - spot.y) < 14 && spot.x < other.x + other.width && other.x < spot.x + width));
 		if (spot) {
 			taken.push(spot);
