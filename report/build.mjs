@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 const folder = dirname(fileURLToPath(import.meta.url));
 const read = (path) => readFileSync(join(folder, path), "utf8");
 
-const does = { "@dagrejs/dagre": "layout of the graph", "@dagrejs/graphlib": "graphs, for dagre", uplot: "charts", fflate: "inflates values" };
+const does = { "@dagrejs/dagre": "layout of the graph", "@dagrejs/graphlib": "graphs, for dagre", fflate: "inflates values" };
 
 async function bundle(parts) {
 	const result = await build({
@@ -37,7 +37,7 @@ const parts = weigh((await bundle([])).inputs);
 const licenses = parts.filter((part) => does[part.name]).map(({ name, version }) => `${name} ${version}\n${read(`node_modules/${name}/LICENSE`)}`);
 const { script } = await bundle(parts);
 const style = (await build({
-	absWorkingDir: folder, stdin: { contents: read("node_modules/uplot/dist/uPlot.min.css") + read("src/style.css"), loader: "css" },
+	absWorkingDir: folder, entryPoints: ["src/style.css"],
 	minify: true, write: false, charset: "utf8",
 })).outputFiles[0].text;
 

@@ -20,8 +20,6 @@ const std::vector<FBlurAlgorithm>& GetBlurAlgorithms()
 		{"Pyramid", "[1 3 3 1] down and up, a small separable Gaussian between."},
 		{"FFT", "The bloom's convolution by Fourier transforms, with a Gaussian for its kernel; the edge repeated "
 				"around it."},
-		{"Boxes", "Three running averages.", false},
-		{"Recursive", "Young and van Vliet's third-order recursive filter.", false},
 	};
 	return Algorithms;
 }

@@ -18,7 +18,7 @@ struct FBlurAlgorithm
 	double LargestSigma = 1000.0;
 };
 
-/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive. */
+/** Exact, Direct, Separable, GaussianSum, Kawase, DualKawase, Pyramid, FFT. */
 DRYDOCK_API const std::vector<FBlurAlgorithm>& GetBlurAlgorithms();
 
 /** Null when there is none of that name. */

@@ -1,5 +1,5 @@
-// Parts of SVG drawings: the page with its style sheet, text, lines and paths, numbers as text, names that fit, ticks
-// of an axis, curves of few points. Equal arguments give equal bytes.
+// Parts of SVG drawings: the page with its style sheet, text, lines and paths, numbers as text, names that fit. Equal
+// arguments give equal bytes.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -11,6 +11,10 @@
 
 namespace Drydock
 {
+
+// Pixels.
+constexpr double SvgPageWidth = 1120.0;
+constexpr double SvgPageMargin = 24.0;
 
 using FSvgPoint = std::pair<double, double>;
 
@@ -63,26 +67,8 @@ DRYDOCK_API std::string SvgPathData(const std::vector<FSvgPoint>& Points);
 /** An open line through the points. */
 DRYDOCK_API std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Class);
 
-/** Opens a drawing of that size in pixels, with its style sheet: the font, then the classes of Light, then those of
- * Dark for readers who prefer a dark page. Title: for readers who cannot see the drawing. */
-DRYDOCK_API std::string BeginSvg(
-	double Width, double Height, const std::string& Title, const char* Light, const char* Dark);
-
-/** The page that a drawing lies on. Radius: of its corners, pixels. */
-DRYDOCK_API std::string SvgPage(double Width, double Height, double Radius);
-
-/** The positions of ticks: multiples of 1, 2 or 5 times a power of ten, at most MaxTicks steps from Low to High (above
- * Low). */
-struct DRYDOCK_API FAxisTicks
-{
-	FAxisTicks(double Low, double High, int MaxTicks);
-
-	double Step = 1.0;
-	int Digits = 0; // after the point
-	std::vector<double> Values;
-};
-
-/** Drops the points that lie on the line between those that stay, to a fiftieth of a pixel. */
-DRYDOCK_API std::vector<FSvgPoint> SimplifyCurve(const std::vector<FSvgPoint>& Points);
+/** Opens a drawing of that height, in pixels, with page and style sheet. It has a light and a dark side; the reader's
+ * colour scheme chooses. Title: for readers who cannot see the drawing. */
+DRYDOCK_API std::string BeginSvg(double Height, const std::string& Title);
 
 } // namespace Drydock

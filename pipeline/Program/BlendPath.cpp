@@ -123,7 +123,7 @@ int WalkAlongPath(const FBlendOptions& Options)
 	const std::string Csv = (std::filesystem::path(Folder) / "walk.csv").string();
 	const std::string Svg = (std::filesystem::path(Folder) / "walk.svg").string();
 	WriteTextFile(Csv, MakeWalkCsv(Walk));
-	WriteTextFile(Svg, DrawWalkChart(MakeWalkChart(Walk, Title, MarkName)));
+	WriteTextFile(Svg, DrawChart(MakeWalkChart(Walk, Title, MarkName)));
 	const std::string Text = Options.bJson ? MakeWalkJson(Walk, Csv, Svg)
 										   : fmt::format("{}\nsettings  {}\ntable     {}\nchart     {}\n",
 												 MakeWalkSummary(Walk, MarkName), ListSettings(Walk), Csv, Svg);

@@ -116,10 +116,10 @@ int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 	Write("study_insets.svg", DrawStudyInsets(Result.Name + ": what the errors look like", Insets));
 	Write("study.json", MakeStudyJson(Result));
 	Write("study.csv", MakeStudyCsv(Result, false));
-	Write("study_taps.svg", DrawStudyChart(Result, EStudyCost::Taps));
+	Write("study_taps.svg", DrawChart(MakeStudyChart(Result, EStudyCost::Taps)));
 	Write("study_timing.json", MakeStudyTimingJson(Result));
 	Write("study_timing.csv", MakeStudyCsv(Result, true));
-	Write("study.svg", DrawStudyChart(Result, EStudyCost::Milliseconds));
+	Write("study.svg", DrawChart(MakeStudyChart(Result, EStudyCost::Milliseconds)));
 	if (WantsReport(Options.Report, Options.bJson))
 	{
 		Write("study.html", MakeReportPage(MakeStudyPageData(Result, Insets, FormatReportTime(std::time(nullptr)))));

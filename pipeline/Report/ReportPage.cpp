@@ -5,6 +5,7 @@
 #include "Report/ReportPicture.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {

@@ -2,6 +2,7 @@
 #include "Report/ReportPicture.h"
 
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <half.h>
@@ -133,27 +134,6 @@ std::string Deflate(const std::string& Bytes)
 	}
 	Packed.resize(Size);
 	return Packed;
-}
-
-std::string EncodeBase64(const std::string& Bytes)
-{
-	constexpr char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	std::string Text;
-	Text.reserve((Bytes.size() + 2) / 3 * 4);
-	for (size_t At = 0; At < Bytes.size(); At += 3)
-	{
-		const size_t NumBytes = std::min<size_t>(3, Bytes.size() - At);
-		uint32_t Group = 0;
-		for (size_t Byte = 0; Byte < 3; ++Byte)
-		{
-			Group = Group << 8 | (Byte < NumBytes ? static_cast<uint8_t>(Bytes[At + Byte]) : 0u);
-		}
-		for (size_t Digit = 0; Digit < 4; ++Digit)
-		{
-			Text += Digit <= NumBytes ? Digits[Group >> (18 - 6 * Digit) & 63] : '=';
-		}
-	}
-	return Text;
 }
 
 FPackedValues PackValues(const FPicture& Picture)

@@ -28,9 +28,6 @@ struct FPictureFigures
 
 DRYDOCK_API FPictureFigures MeasurePicture(const FPicture& Picture);
 
-/** RFC 4648, with padding. */
-DRYDOCK_API std::string EncodeBase64(const std::string& Bytes);
-
 /** zlib's stream. */
 std::string Deflate(const std::string& Bytes);
 

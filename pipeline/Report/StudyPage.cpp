@@ -1,9 +1,10 @@
 // Puts a study's files and pictures into one JSON.
 #include "Report/StudyPage.h"
 
-#include "Report/ReportPicture.h"
+#include "Report/ChartData.h"
+#include "Study/StudyChart.h"
 #include "Study/StudyReport.h"
-#include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 
 namespace Drydock
 {
@@ -20,6 +21,23 @@ std::string MakeStudyPageData(
 	Writer.Member("written", When);
 	Writer.Key("study").Raw(MakeStudyJson(Result));
 	Writer.Key("timing").Raw(MakeStudyTimingJson(Result));
+	Writer.Key("charts").BeginArray();
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		Writer.BeginObject();
+		for (const auto& [Name, Cost] : {std::pair("time", EStudyCost::Milliseconds), {"taps", EStudyCost::Taps}})
+		{
+			Writer.Key(Name).BeginObject();
+			for (const char* Metric : {"max", "rms", "relative", "psnr", "ssim"})
+			{
+				Writer.Key(Metric);
+				WriteChartPanel(Writer, MakeStudyPanel(Result, Job, Cost, Metric));
+			}
+			Writer.EndObject();
+		}
+		Writer.EndObject();
+	}
+	Writer.EndArray();
 	Writer.Key("insets").BeginArray();
 	for (const FStudyInsetRow& Row : Insets)
 	{

@@ -1,9 +1,9 @@
-// Builds and matches the blurs of a study, and runs them through the graph or as plain code. Each blur names its source
-// where it is.
+// Builds and matches the blurs of a study, and runs them through the graph or, the exact one, as plain code. Each blur
+// names its source where it is.
 #include "Study/BlurAlgorithms.h"
 
 #include "Math/ToInteger.h"
-#include "Study/BlurNative.h"
+#include "Study/BlurExact.h"
 
 #include "Bloom/FFTConvolution.h"
 #include "Blur/DualKawaseBlurOutput.h"
@@ -331,31 +331,14 @@ FBlurRun RunFFT(const FImage& Image, double Sigma)
 
 // Plain code --------------------------------------------------------------------------------------------------------
 
-/** Turning doubles into the blur's own numbers and back is not part of it, as it is not of the graph's. */
-FBlurRun RunNative(const FImage& Image, const std::string& Name, double Sigma)
+FBlurRun RunExact(const FImage& Image, double Sigma)
 {
 	FBlurRun Run;
-	const auto Time = [&Run](auto Blur)
-	{
-		const auto Begin = std::chrono::steady_clock::now();
-		Blur();
-		Run.Milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-	};
-	const bool bExact = Name == "Exact";
-	if (bExact)
-	{
-		Time([&] { Run.Image = BlurExact(Image, Sigma); });
-	}
-	else
-	{
-		FFloatImage Picture = ToFloatImage(Image);
-		Time([&] { Name == "Boxes" ? BlurBoxes(Picture, Sigma) : BlurRecursive(Picture, Sigma); });
-		Run.Image = ToImage(Picture);
-	}
-	const FNativeBlurCost Cost = bExact ? GetExactCost(Sigma) : Name == "Boxes" ? GetBoxesCost() : GetRecursiveCost();
-	Run.TapsPerPixel = Cost.Taps;
-	Run.BytesPerPixel =
-		Cost.TexelsMoved * static_cast<double>(bExact ? sizeof(double) : sizeof(float)) * Image.NumChannels;
+	const auto Begin = std::chrono::steady_clock::now();
+	Run.Image = BlurExact(Image, Sigma);
+	Run.Milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+	Run.TapsPerPixel = GetExactTaps(Sigma);
+	Run.BytesPerPixel = 4.0 * sizeof(double) * Image.NumChannels; // along each axis read and written
 	Run.NumPasses = 2;
 	return Run;
 }
@@ -384,7 +367,7 @@ FBlurRun FBlur::RunAs(const FImage& Image, const FBlurArithmetic& As) const
 	}
 	const double LowSigma = Sigma * std::exp2(-As.ResolutionLevels);
 	return Algorithm.bGraph ? RunGraph(Image, MakeGraphBlur(Algorithm.Name, LowSigma), Requested, As)
-							: RunNative(Image, Algorithm.Name, Requested);
+							: RunExact(Image, Requested);
 }
 
 /** One run for a block of impulses: its columns hold 1, x and x^2 in their channels, the same in all rows, so that the

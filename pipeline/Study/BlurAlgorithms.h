@@ -1,5 +1,5 @@
 // All ways to blur an image by a standard deviation of s pixels, behind one interface, each with what it costs.
-// Algorithms of shaders run through the render graph, as in a frame; the others are plain code and are marked so.
+// Algorithms of shaders run through the render graph, as in a frame; the exact one is plain code and is marked so.
 // Widths are matched by measurement: the second moment of the impulse response. Each algorithm names its source where
 // it is defined.
 #pragma once
@@ -13,7 +13,7 @@
 namespace Drydock
 {
 
-/** The arithmetic and storage of the graph's algorithms; plain code runs in float32, but Exact in double. */
+/** The arithmetic and storage of the graph's algorithms; Exact runs in double. */
 struct FBlurArithmetic
 {
 	/** float32, float16, R11G11B10 or 8bit: format of all textures, the input's too. */
@@ -25,7 +25,7 @@ struct FBlurArithmetic
 struct FBlurRun
 {
 	FImage Image;               // RGBA
-	double Milliseconds = 0.0;  // of the passes, or of the plain code
+	double Milliseconds = 0.0;  // of the passes, or of the exact blur
 	double TapsPerPixel = 0.0;  // texture samples and loads of all passes' pixels, per pixel of the image
 	double BytesPerPixel = 0.0; // read and written, each texel once per pass
 	int NumPasses = 0;

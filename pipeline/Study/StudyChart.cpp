@@ -1,17 +1,13 @@
-// Draws the panels of a study's chart, with legend and labels.
+// Makes the panels of a study's chart: which variants, which axes, which names.
 #include "Study/StudyChart.h"
 
-#include "Study/StudyPanel.h"
+#include "Budget/StudyBudget.h"
 #include "Study/StudyReport.h"
-#include "Study/StudyStyle.h"
-#include "Study/StudySweep.h"
-#include "Study/StudyView.h"
 #include "Text/Fmt.inl"
 
 #include <algorithm>
-#include <functional>
-#include <optional>
-#include <utility>
+#include <cmath>
+#include <cstdlib>
 
 namespace Drydock
 {
@@ -19,297 +15,337 @@ namespace Drydock
 namespace
 {
 
-constexpr double LegendStep = 20.0; // pixels
+double GetCost(const FStudyVariant& Variant, EStudyCost Cost)
+{
+	return Cost == EStudyCost::Taps ? Variant.Taps : Variant.Time.Median;
+}
 
-/** Draws one study. */
-class FStudyCanvas
+std::string NameCost(EStudyCost Cost)
+{
+	return Cost == EStudyCost::Taps ? "taps per pixel" : "CPU ms";
+}
+
+/** "c3" of the fourth choice. */
+std::string GetColor(size_t Choice)
+{
+	constexpr size_t NumColors = 10;
+	return "c" + std::to_string(Choice % NumColors);
+}
+
+/** The error that the budget allows, where it speaks of this metric. */
+std::optional<double> GetBudgetError(const FStudyBudget& Budget, const std::string& Metric)
+{
+	if (!Budget.Max || Budget.Metric != Metric)
+	{
+		return std::nullopt;
+	}
+	return Metric == "psnr" ? std::pow(10.0, -*Budget.Max / 20.0) : Metric == "ssim" ? 1.0 - *Budget.Max : *Budget.Max;
+}
+
+/** "2e-7": one digit. */
+std::string RoughText(double Number)
+{
+	std::string Text = fmt::format("{:.0e}", Number);
+	const size_t Zero = Text.find("e-0");
+	return Zero == std::string::npos ? Text : Text.erase(Zero + 2, 1);
+}
+
+/** The error axis of a panel. A few errors a thousand times smaller than all others would push these together: they are
+ * drawn at the lower edge, and their labels have the figure. */
+class FErrorAxis
 {
 public:
-	FStudyCanvas(const FStudyResult& InResult, EStudyCost InCost)
-		: Result(InResult)
-		, Cost(InCost)
-		, View{InResult, InCost}
-		, Sweep(View)
+	/** Errors: of all that is drawn. Shown: one more that the axis must reach. */
+	FErrorAxis(const std::string& Metric, std::vector<double> Errors, const std::optional<double>& Shown)
 	{
+		Errors.erase(
+			std::remove_if(Errors.begin(), Errors.end(), [](double Error) { return !(Error > 0.0); }), Errors.end());
+		std::sort(Errors.begin(), Errors.end());
+		for (size_t NumBelow = 1; 2 * NumBelow < Errors.size() && Floor == 0.0; ++NumBelow)
+		{
+			constexpr double Gap = 1000.0;
+			Floor = Errors[NumBelow] > Gap * Errors[NumBelow - 1] ? Errors[NumBelow] : 0.0;
+		}
+		Errors.erase(Errors.begin(), std::lower_bound(Errors.begin(), Errors.end(), Floor));
+		if (Shown)
+		{
+			Errors.push_back(*Shown);
+		}
+		Axis = MakeLogAxis(GetErrorTitle(Metric), Errors);
+		Edge = Axis.Low;
+		if (Floor > 0.0)
+		{
+			const double Span = Axis.High / Axis.Low;
+			Edge *= std::pow(Span, -0.06);
+			Axis.Low *= std::pow(Span, -0.1);
+		}
 	}
 
-	std::string Draw()
+	double Place(double Error) const { return Error < Floor ? Edge : std::max(Error, Axis.Low); }
+	/** "FFT", or where it is below "FFT: 2e-7". */
+	std::string Label(const std::string& Name, double Error) const
 	{
-		const std::string Title =
-			Result.Name + ": accuracy against " + (Cost == EStudyCost::Taps ? "taps per pixel" : "time");
-		std::string Body = SvgText(StudyPageMargin, 36.0, "title", Title) + DrawSubtitle();
-		double Y = 104.0;
-		Body += DrawLegend(Y);
-		Body += Sweep.Draw(Y);
-		Body += DrawJobs(Y);
-		return BeginStudySvg(Y, Title) + Body + "</svg>\n";
+		return Error == 0.0 ? Name + " (no error)" : Error < Floor ? Name + ": " + RoughText(Error) : Name;
 	}
+	const FChartAxis& GetAxis() const { return Axis; }
 
 private:
-	std::string DrawSubtitle() const
-	{
-		const std::string Clock =
-			fmt::format("CPU milliseconds on {} threads, medians of {} runs in turn, whiskers between quartiles",
-				Result.Threads, Result.Study.Repetitions);
-		const std::string Reference = Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference;
-		constexpr size_t MostCharacters = 160;
-		return SvgText(StudyPageMargin, 58.0, "quiet",
-				   fmt::format("{}; {}", DescribeStudied(Result),
-					   Cost == EStudyCost::Taps ? "taps and errors are the same on every run" : Clock)) +
-			   SvgText(StudyPageMargin, 76.0, "quiet", ShortenText("errors against " + Reference, MostCharacters));
-	}
-
-	std::string DrawJob(const FStudyJob& Job, const FSvgBox& Plot)
-	{
-		std::vector<double> Costs;
-		std::vector<double> Errors;
-		std::vector<size_t> Drawn;
-		for (const size_t Index : Job.Variants)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			if (!Variant.Competes())
-			{
-				continue;
-			}
-			Drawn.push_back(Index);
-			Errors.push_back(View.GetError(Variant));
-			Costs.push_back(View.GetCost(Variant));
-			if (Cost == EStudyCost::Milliseconds)
-			{
-				Costs.insert(Costs.end(), {Variant.Time.Low, Variant.Time.High});
-			}
-		}
-		// The budget is in the picture where it is not far from what was found.
-		const std::optional<double> Budget = View.GetBudgetError();
-		std::vector<double> Shown;
-		if (Budget && !Errors.empty())
-		{
-			const FLogAxis Probe(Errors, 0.0, 1.0);
-			if (*Budget > Probe.GetLow() / 30.0 && *Budget < Probe.GetHigh() * 30.0)
-			{
-				Shown.push_back(*Budget);
-			}
-		}
-		const FLogAxis X(Costs, Plot.Left, Plot.Right);
-		const FErrorAxis Y(Errors, Shown, Plot);
-		std::string Svg =
-			DrawAxes(Plot, X, Y.GetAxis(), X.GetTicks(), View.GetCostName(), GetErrorTitle(Result.GetMetric()));
-		Svg += View.DrawBudget(Plot, Y.GetAxis());
-		if (Drawn.empty())
-		{
-			return Svg +
-				   SvgText((Plot.Left + Plot.Right) / 2.0, (Plot.Top + Plot.Bottom) / 2.0, "quiet mid", "nothing ran");
-		}
-		FLabelPlacer Labels({Plot.Left + 2.0, Plot.Top + 2.0, Plot.Right - 2.0, Plot.Bottom - 2.0});
-		Svg += DrawFront(Drawn, X, Y, Labels) + DrawPoints(Drawn, X, Y, Labels);
-		return Svg + DrawLabels(Drawn, X, Y, Plot, Labels);
-	}
-
-	/** Steps: between two variants nothing is to be had but the cheaper one's error. */
-	std::string DrawFront(
-		const std::vector<size_t>& Drawn, const FLogAxis& X, const FErrorAxis& Y, FLabelPlacer& Labels) const
-	{
-		std::vector<FSvgPoint> Front;
-		for (const size_t Index : Drawn)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			if (View.GetRank(Variant).bFront && !Variant.bPlainCode)
-			{
-				Front.emplace_back(X.Map(View.GetCost(Variant)), Y.Map(View.GetError(Variant)));
-			}
-		}
-		std::sort(Front.begin(), Front.end());
-		std::vector<FSvgPoint> Steps;
-		for (const FSvgPoint& Point : Front)
-		{
-			if (!Steps.empty())
-			{
-				Steps.emplace_back(Point.first, Steps.back().second);
-			}
-			Steps.push_back(Point);
-		}
-		for (size_t Index = 1; Index < Steps.size(); ++Index)
-		{
-			const auto [Left, Right] = std::minmax(Steps[Index - 1].first, Steps[Index].first);
-			const auto [Top, Bottom] = std::minmax(Steps[Index - 1].second, Steps[Index].second);
-			Labels.Block({Left - 1.0, Top - 1.0, Right + 1.0, Bottom + 1.0});
-		}
-		return Steps.size() > 1 ? SvgPath(Steps, "front") : "";
-	}
-
-	std::string DrawPoints(
-		const std::vector<size_t>& Drawn, const FLogAxis& X, const FErrorAxis& Y, FLabelPlacer& Labels) const
-	{
-		std::string Svg;
-		for (const size_t Index : Drawn)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			const double PointX = X.Map(View.GetCost(Variant));
-			const double PointY = Y.Map(View.GetError(Variant));
-			const std::string Color = GetStudyColor(Variant.Choice);
-			if (Cost == EStudyCost::Milliseconds)
-			{
-				const double Low = X.Map(Variant.Time.Low);
-				const double High = X.Map(Variant.Time.High);
-				Svg += SvgLine(Low, PointY, High, PointY, "whisker s" + Color);
-				Labels.Block({Low - 2.0, PointY - 2.0, High + 2.0, PointY + 2.0});
-			}
-			Svg += DrawStudyMarker(PointX, PointY, 5.0, Variant.bPlainCode,
-				"dot f" + Color + (View.GetRank(Variant).bFront ? "" : " off"));
-			Svg += Variant.bCurrent ? DrawStudyMarker(PointX, PointY, 9.0, false, "now") : "";
-			Svg += View.IsRecommended(Variant)
-					   ? DrawStudyMarker(PointX, PointY, Variant.bCurrent ? 12.5 : 9.0, false, "pick")
-					   : "";
-			const double Radius = View.IsRecommended(Variant) || Variant.bCurrent ? 9.5 : 6.0;
-			Labels.Block({PointX - Radius, PointY - Radius, PointX + Radius, PointY + Radius});
-		}
-		return Svg;
-	}
-
-	/** On the line of the budget, at the end that has room: above it or below. */
-	static std::string DrawBudgetName(const std::string& Text, double Line, const FSvgBox& Plot, FLabelPlacer& Labels)
-	{
-		const double TextWidth = EstimateTextWidth(Text, 11.0);
-		const double Right = Plot.Right - 6.0 - TextWidth;
-		const double Left = Plot.Left + 6.0;
-		for (const auto& [X, Y] : {std::pair(Right, Line - 5.0), std::pair(Right, Line + 13.0),
-				 std::pair(Left, Line - 5.0), std::pair(Left, Line + 13.0)})
-		{
-			const FSvgBox Box{X - 2.0, Y - 10.0, X + TextWidth + 2.0, Y + 3.0};
-			if (Labels.IsFree(Box))
-			{
-				Labels.Block(Box);
-				return SvgText(X, Y, "budgettext", Text);
-			}
-		}
-		return "";
-	}
-
-	/** First what matters, so that it gets the room. */
-	std::string DrawLabels(std::vector<size_t> Drawn, const FLogAxis& X, const FErrorAxis& Y, const FSvgBox& Plot,
-		FLabelPlacer& Labels) const
-	{
-		std::string Svg;
-		const std::optional<double> Budget = View.GetBudgetError();
-		if (Budget && *Budget > Y.GetAxis().GetLow() && *Budget < Y.GetAxis().GetHigh())
-		{
-			Svg += DrawBudgetName("budget " + ShortText(*Budget), Y.Map(*Budget), Plot, Labels);
-			Labels.Block({Plot.Left, Y.Map(*Budget) - 1.0, Plot.Right, Y.Map(*Budget) + 1.0});
-		}
-		const auto Importance = [&](size_t Index)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			return (View.IsRecommended(Variant) ? 8 : 0) + (Variant.bCurrent ? 4 : 0) +
-				   (View.GetRank(Variant).bFront ? 2 : 0);
-		};
-		std::stable_sort(Drawn.begin(), Drawn.end(), [&](size_t A, size_t B) { return Importance(A) > Importance(B); });
-		for (const size_t Index : Drawn)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			const std::string Class = Importance(Index) >= 4  ? "label strong"
-									  : Importance(Index) > 0 ? "label"
-															  : "label quiet";
-			const double Error = View.GetError(Variant);
-			Svg += Labels.Place(X.Map(View.GetCost(Variant)), Y.Map(Error), Y.Label(Variant.Label, Error), Class);
-		}
-		return Svg;
-	}
-
-	std::string DrawJobs(double& Y)
-	{
-		const std::vector<const FStudyJob*> Jobs = Sweep.GetShownJobs();
-		const size_t Columns = Jobs.size() == 1 ? 1 : Jobs.size() <= 4 ? 2 : 3;
-		const double PanelWidth =
-			(StudyPageWidth - 2.0 * StudyPageMargin - StudyPanelGap * static_cast<double>(Columns - 1)) /
-			static_cast<double>(Columns);
-		const double PanelHeight = Columns == 1 ? 470.0 : Columns == 2 ? 350.0 : 310.0;
-		std::string Svg;
-		for (size_t Index = 0; Index < Jobs.size(); ++Index)
-		{
-			const double Left = StudyPageMargin + static_cast<double>(Index % Columns) * (PanelWidth + StudyPanelGap);
-			const std::string Title = Jobs[Index]->Case.Label.empty() ? "All variants" : Jobs[Index]->Case.Label;
-			Svg += SvgText(Left, Y + 18.0, "name", Title);
-			Svg += DrawJob(*Jobs[Index], {Left + StudyAxisLeft, Y + StudyPanelTitle, Left + PanelWidth - 4.0,
-											 Y + PanelHeight - StudyAxisBottom});
-			Y += Index % Columns == Columns - 1 || Index + 1 == Jobs.size() ? PanelHeight + 6.0 : 0.0;
-		}
-		return Svg;
-	}
-
-	// Legend ----------------------------------------------------------------------------------------------------------
-
-	std::string DrawLegend(double& Y)
-	{
-		std::string Svg;
-		double X = StudyPageMargin;
-		const auto Add = [&](const std::string& Text, const std::function<std::string(double, double)>& DrawSymbol)
-		{
-			const double Room = 26.0 + EstimateTextWidth(Text, 12.0) + 14.0;
-			if (X + Room > StudyPageWidth - StudyPageMargin)
-			{
-				X = StudyPageMargin;
-				Y += LegendStep;
-			}
-			Svg += DrawSymbol(X + 8.0, Y - 4.0) + SvgText(X + 22.0, Y, "", Text);
-			X += Room;
-		};
-		for (size_t Choice = 0; Choice < View.GetNumChoices(); ++Choice)
-		{
-			for (const FStudyJob& Job : Result.Jobs)
-			{
-				const FStudyVariant& Variant = Result.Variants[Job.Variants[Choice]];
-				if (Variant.Competes())
-				{
-					Add(Variant.Label,
-						[&](double SymbolX, double SymbolY) {
-							return DrawStudyMarker(
-								SymbolX, SymbolY, 5.0, Variant.bPlainCode, "dot f" + GetStudyColor(Choice));
-						});
-					break;
-				}
-			}
-		}
-		X = StudyPageMargin;
-		Y += LegendStep;
-		Add("front: nobody is cheaper and as exact", [](double SymbolX, double SymbolY)
-			{ return SvgLine(SymbolX - 8.0, SymbolY, SymbolX + 8.0, SymbolY, "front"); });
-		Add("pale: something is cheaper and as exact",
-			[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 5.0, false, "f7 off"); });
-		const auto Any = [&](bool FStudyVariant::*Member)
-		{
-			return std::any_of(Result.Variants.begin(), Result.Variants.end(),
-				[&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
-		};
-		if (Cost == EStudyCost::Milliseconds && Any(&FStudyVariant::bRecommended))
-		{
-			Add("recommended: the cheapest by time within the budget",
-				[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 6.5, false, "pick"); });
-		}
-		if (Any(&FStudyVariant::bCurrent))
-		{
-			Add("in use now",
-				[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 6.5, false, "now"); });
-		}
-		if (Any(&FStudyVariant::bPlainCode))
-		{
-			Add("plain code in float lanes, no shader",
-				[](double SymbolX, double SymbolY) { return DrawStudyMarker(SymbolX, SymbolY, 5.0, true, "f7"); });
-		}
-		Y += 14.0;
-		return Svg;
-	}
-
-	const FStudyResult& Result;
-	EStudyCost Cost;
-	FStudyView View;
-	FStudySweep Sweep;
+	double Floor = 0.0;
+	double Edge = 0.0; // where what is below is drawn
+	FChartAxis Axis;
 };
+
+/** The budget, where the axis reaches it. */
+std::optional<double> LimitTo(const FChartAxis& Axis, const std::optional<double>& Budget)
+{
+	return Budget && *Budget > Axis.Low && *Budget < Axis.High ? Budget : std::nullopt;
+}
+
+// Jobs by a number ----------------------------------------------------------------------------------------------------
+
+/** The one axis of jobs whose values are three numbers at least. */
+std::optional<size_t> FindSweep(const FStudy& Study)
+{
+	for (size_t Index = 0; Index < Study.Axes.size(); ++Index)
+	{
+		const FStudyAxis& Axis = Study.Axes[Index];
+		const bool bNumbers = std::all_of(Axis.Values.begin(), Axis.Values.end(),
+			[](const FStudyValue& Value)
+			{
+				char* End = nullptr;
+				return std::strtod(Value.Label.c_str(), &End) > 0.0 && *End == '\0';
+			});
+		if (Axis.bEach && bNumbers && Axis.Values.size() >= 3)
+		{
+			return Index;
+		}
+	}
+	return std::nullopt;
+}
+
+/** A job's values without the number: "scene". */
+std::string GetOther(const FStudyJob& Job, const std::optional<size_t>& Sweep)
+{
+	std::string Other;
+	for (size_t Index = 0; Index < Job.Case.Values.size(); ++Index)
+	{
+		if (Sweep != Index && !Job.Case.Values[Index].empty())
+		{
+			Other += (Other.empty() ? "" : ", ") + Job.Case.Values[Index];
+		}
+	}
+	return Other;
+}
+
+/** Cost or error against the number, a line per choice, each named at its end. */
+FChartPanel MakeSweepPanel(
+	const FStudyResult& Result, const std::vector<const FStudyJob*>& Jobs, size_t Sweep, EStudyCost Cost, bool bErrors)
+{
+	const auto GetNumber = [&](const FStudyJob& Job)
+	{
+		return std::strtod(Job.Case.Values[Sweep].c_str(), nullptr);
+	};
+	const auto GetValue = [&](const FStudyVariant& Variant)
+	{
+		return bErrors ? GetErrorToRank(Variant.Error, Result.GetMetric()) : GetCost(Variant, Cost);
+	};
+	std::vector<double> Numbers;
+	std::vector<double> Values;
+	for (const FStudyJob* Job : Jobs)
+	{
+		Numbers.push_back(GetNumber(*Job));
+		for (const size_t Index : Job->Variants)
+		{
+			if (Result.Variants[Index].Competes())
+			{
+				Values.push_back(GetValue(Result.Variants[Index]));
+			}
+		}
+	}
+	const std::string& Name = Result.Study.Axes[Sweep].Name;
+	const FErrorAxis Errors(Result.GetMetric(), Values, {});
+	FChartPanel Panel;
+	Panel.NumColumns = 2;
+	Panel.Height = 262.0;
+	Panel.NameRoom = 100.0;
+	Panel.X = MakeLogAxis(Name + (Name == "sigma" ? ", pixels" : ""), Numbers);
+	Panel.X.Ticks.clear();
+	for (const double Number : Numbers)
+	{
+		Panel.X.Ticks.push_back({Number, NameLogTick(Number)});
+	}
+	Panel.Y = bErrors ? Errors.GetAxis() : MakeLogAxis(NameCost(Cost), Values);
+	Panel.Limit = bErrors ? LimitTo(Panel.Y, GetBudgetError(Result.Study.Budget, Result.GetMetric())) : std::nullopt;
+	for (size_t Choice = 0; Choice < Jobs[0]->Variants.size(); ++Choice)
+	{
+		FChartSeries Series;
+		Series.Color = GetColor(Choice);
+		for (const FStudyJob* Job : Jobs)
+		{
+			const FStudyVariant& Variant = Result.Variants[Job->Variants[Choice]];
+			const double Value = GetValue(Variant);
+			if (Variant.Competes() && Value > 0.0)
+			{
+				const double X = GetNumber(*Job);
+				const double Y = bErrors ? Errors.Place(Value) : Value;
+				Series.Name = bErrors ? Errors.Label(Variant.Label, Value) : Variant.Label;
+				Series.Line.emplace_back(X, Y);
+				Series.Points.push_back({.X = X, .Y = Y, .Low = X, .High = X});
+			}
+		}
+		if (!Series.Line.empty())
+		{
+			Series.Points.back().Label = Series.Name;
+			Panel.Series.push_back(std::move(Series));
+		}
+	}
+	return Panel;
+}
+
+/** One row of all choices, then one of what marks mean. */
+std::vector<std::vector<FChartLegend>> MakeLegend(const FStudyResult& Result, EStudyCost Cost)
+{
+	std::vector<FChartLegend> Choices;
+	for (size_t Choice = 0; !Result.Jobs.empty() && Choice < Result.Jobs[0].Variants.size(); ++Choice)
+	{
+		const auto Shown = std::find_if(Result.Jobs.begin(), Result.Jobs.end(),
+			[&](const FStudyJob& Job) { return Result.Variants[Job.Variants[Choice]].Competes(); });
+		if (Shown != Result.Jobs.end())
+		{
+			const FStudyVariant& Variant = Result.Variants[Shown->Variants[Choice]];
+			Choices.push_back({Variant.Label, GetColor(Choice), {}});
+		}
+	}
+	const auto Any = [&](bool FStudyVariant::*Member)
+	{
+		return std::any_of(Result.Variants.begin(), Result.Variants.end(),
+			[&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
+	};
+	std::vector<FChartLegend> Marks = {{"front: nobody is cheaper and as exact", "front", {}},
+		{"pale: something is cheaper and as exact", "c7", {.bPale = true}}};
+	if (Cost == EStudyCost::Milliseconds && Any(&FStudyVariant::bRecommended))
+	{
+		Marks.push_back({"recommended: the cheapest by time within the budget", "c7", {.bPick = true}});
+	}
+	if (Any(&FStudyVariant::bCurrent))
+	{
+		Marks.push_back({"in use now", "c7", {.bNow = true}});
+	}
+	return {Choices, Marks};
+}
 
 } // namespace
 
-std::string DrawStudyChart(const FStudyResult& Result, EStudyCost Cost)
+FChartPanel MakeStudyPanel(const FStudyResult& Result, const FStudyJob& Job, EStudyCost Cost, const std::string& Metric)
 {
-	return FStudyCanvas(Result, Cost).Draw();
+	const bool bTime = Cost == EStudyCost::Milliseconds;
+	std::vector<double> Costs;
+	std::vector<double> Found;
+	for (const size_t Index : Job.Variants)
+	{
+		const FStudyVariant& Variant = Result.Variants[Index];
+		if (Variant.Competes())
+		{
+			Found.push_back(GetErrorToRank(Variant.Error, Metric));
+			Costs.push_back(GetCost(Variant, Cost));
+			Costs.insert(Costs.end(), bTime ? 1 : 0, Variant.Time.Low);
+			Costs.insert(Costs.end(), bTime ? 1 : 0, Variant.Time.High);
+		}
+	}
+	// The budget is in the picture where it is not far from what was found.
+	constexpr double Far = 30.0;
+	const std::optional<double> Budget = GetBudgetError(Result.Study.Budget, Metric);
+	FChartAxis Near = MakeLogAxis("", Found);
+	Near.Low /= Far;
+	Near.High *= Far;
+	const FErrorAxis Errors(Metric, Found, LimitTo(Near, Found.empty() ? std::nullopt : Budget));
+	FChartPanel Panel;
+	Panel.Title = Job.Case.Label.empty() ? "All variants" : Job.Case.Label;
+	Panel.X = MakeLogAxis(NameCost(Cost), Costs);
+	Panel.Y = Errors.GetAxis();
+	Panel.Limit = LimitTo(Panel.Y, Budget);
+	FChartCurve Front;
+	for (const size_t Index : Job.Variants)
+	{
+		const FStudyVariant& Variant = Result.Variants[Index];
+		if (!Variant.Competes())
+		{
+			continue;
+		}
+		const double Error = GetErrorToRank(Variant.Error, Metric);
+		const bool bFront = (bTime ? Variant.ByTime : Variant.ByTaps).bFront;
+		const double X = GetCost(Variant, Cost);
+		FChartSeries& Series = Panel.Series.emplace_back();
+		Series.Name = Variant.Label;
+		Series.Color = GetColor(Variant.Choice);
+		Series.Points.push_back({X, Errors.Place(Error), bTime ? Variant.Time.Low : X, bTime ? Variant.Time.High : X,
+			Errors.Label(Variant.Label, Error), "", !bFront, Variant.bCurrent, Variant.bRecommended});
+		if (bFront && !Variant.bPlainCode)
+		{
+			Front.emplace_back(X, Errors.Place(Error));
+		}
+	}
+	std::sort(Front.begin(), Front.end());
+	if (Front.size() > 1)
+	{
+		// Between two variants nothing is to be had but the cheaper one's error.
+		Panel.Series.insert(Panel.Series.begin(), {"", "front", std::move(Front), true, false, {}});
+	}
+	return Panel;
+}
+
+FChart MakeStudyChart(const FStudyResult& Result, EStudyCost Cost)
+{
+	const std::string Clock =
+		fmt::format("CPU milliseconds on {} threads, medians of {} runs in turn, whiskers between quartiles",
+			Result.Threads, Result.Study.Repetitions);
+	FChart Chart;
+	Chart.Title = Result.Name + ": accuracy against " + (Cost == EStudyCost::Taps ? "taps per pixel" : "time");
+	Chart.Notes = {DescribeStudied(Result) + "; " +
+					   (Cost == EStudyCost::Taps ? "taps and errors are the same on every run" : Clock),
+		"errors against " + (Result.Jobs.empty() ? "nothing" : Result.Jobs[0].Reference)};
+	Chart.Legend = MakeLegend(Result, Cost);
+	const std::optional<size_t> Sweep = FindSweep(Result.Study);
+	std::vector<std::pair<std::string, std::vector<const FStudyJob*>>> Others; // jobs that differ by the number alone
+	for (const FStudyJob& Job : Result.Jobs)
+	{
+		const std::string Other = Sweep ? GetOther(Job, Sweep) : "";
+		const auto Known =
+			std::find_if(Others.begin(), Others.end(), [&](const auto& One) { return One.first == Other; });
+		(Known == Others.end() ? Others.emplace_back(Other, std::vector<const FStudyJob*>()) : *Known)
+			.second.push_back(&Job);
+	}
+	if (Others.empty())
+	{
+		return Chart;
+	}
+	const std::vector<const FStudyJob*>& Shown = Others[0].second;
+	if (Sweep)
+	{
+		const std::string Against = " against " + Result.Study.Axes[*Sweep].Name;
+		Chart.Panels.push_back(MakeSweepPanel(Result, Shown, *Sweep, Cost, false));
+		Chart.Panels.back().Title = "Cost" + Against;
+		for (const auto& [Other, Jobs] : Others)
+		{
+			Chart.Panels.push_back(MakeSweepPanel(Result, Jobs, *Sweep, Cost, true));
+			Chart.Panels.back().Title = "Error" + Against + (Other.empty() ? "" : ": " + Other);
+		}
+	}
+	for (const FStudyJob* Job : Shown)
+	{
+		FChartPanel& Panel = Chart.Panels.emplace_back(MakeStudyPanel(Result, *Job, Cost, Result.GetMetric()));
+		Panel.NumColumns = Shown.size() == 1 ? 1 : Shown.size() <= 4 ? 2 : 3;
+		Panel.Height = Panel.NumColumns == 1 ? 392.0 : Panel.NumColumns == 2 ? 272.0 : 232.0;
+		for (FChartSeries& Series : Panel.Series)
+		{
+			for (FChartPoint& Point : Series.Points)
+			{
+				// A recommendation depends on time, and the chart over taps is the same on every run.
+				Point.bPick = Point.bPick && Cost == EStudyCost::Milliseconds;
+			}
+		}
+	}
+	return Chart;
 }
 
 } // namespace Drydock

@@ -3,41 +3,14 @@
 
 #include "Math/ToInteger.h"
 #include "Picture/ImageMetrics.h"
-#include "Study/StudyPanel.h"
-#include "Study/StudyStyle.h"
+#include "Picture/SvgTools.h"
 #include "Text/Fmt.inl"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace Drydock
 {
-
-namespace
-{
-
-std::string EncodeBase64(const std::string& Bytes)
-{
-	static const char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	std::string Text;
-	for (size_t Index = 0; Index < Bytes.size(); Index += 3)
-	{
-		unsigned Group = 0;
-		for (size_t Byte = 0; Byte < 3; ++Byte)
-		{
-			const size_t At = Index + Byte;
-			Group = Group << 8 | (At < Bytes.size() ? static_cast<unsigned char>(Bytes[At]) : 0u);
-		}
-		const size_t Left = Bytes.size() - Index;
-		for (size_t Digit = 0; Digit < 4; ++Digit)
-		{
-			Text += Digit <= Left ? Digits[Group >> (18 - 6 * Digit) & 63u] : '=';
-		}
-	}
-	return Text;
-}
-
-} // namespace
 
 std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyInsetRow>& Rows)
 {
@@ -48,8 +21,8 @@ std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyIn
 		Columns = std::max(Columns, Row.Insets.size());
 	}
 	const double InsetWidth =
-		std::min(260.0, (StudyPageWidth - 2.0 * StudyPageMargin + Gap) / static_cast<double>(Columns) - Gap);
-	std::string Body = SvgText(StudyPageMargin, 36.0, "title", Title);
+		std::min(260.0, (SvgPageWidth - 2.0 * SvgPageMargin + Gap) / static_cast<double>(Columns) - Gap);
+	std::string Body = SvgText(SvgPageMargin, 36.0, "title", Title);
 	double Y = 52.0;
 	const auto DrawPng = [&](const std::string& Png, double X, double Top, double Height)
 	{
@@ -58,12 +31,12 @@ std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyIn
 	};
 	for (const FStudyInsetRow& Row : Rows)
 	{
-		Body += SvgText(StudyPageMargin, Y + 16.0, "name", Row.Title);
+		Body += SvgText(SvgPageMargin, Y + 16.0, "name", Row.Title);
 		double Bottom = Y + 26.0;
 		for (size_t Index = 0; Index < Row.Insets.size(); ++Index)
 		{
 			const FStudyInset& Inset = Row.Insets[Index];
-			const double X = StudyPageMargin + static_cast<double>(Index) * (InsetWidth + Gap);
+			const double X = SvgPageMargin + static_cast<double>(Index) * (InsetWidth + Gap);
 			const double Height = InsetWidth * Inset.Height / std::max(1, Inset.Width);
 			double Top = Y + 26.0;
 			DrawPng(Inset.Png, X, Top, Height);
@@ -91,11 +64,11 @@ std::string DrawStudyInsets(const std::string& Title, const std::vector<FStudyIn
 			return ToInteger<unsigned>(Part * 255.0 + 0.5);
 		};
 		Body += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"6.3\" height=\"10\" fill=\"#{:02x}{:02x}{:02x}\"/>\n",
-			Px(StudyPageMargin + Step * 6.0), Px(Y), ToByte(Color[0]), ToByte(Color[1]), ToByte(Color[2]));
+			Px(SvgPageMargin + Step * 6.0), Px(Y), ToByte(Color[0]), ToByte(Color[1]), ToByte(Color[2]));
 	}
-	Body += SvgText(StudyPageMargin + Steps * 6.0 + 10.0, Y + 9.0, "label quiet",
+	Body += SvgText(SvgPageMargin + Steps * 6.0 + 10.0, Y + 9.0, "label quiet",
 		"error, logarithmic: black a ten-thousandth of the largest of its row of pictures, pale yellow the largest");
-	return BeginStudySvg(Y + 28.0, Title) + Body + "</svg>\n";
+	return BeginSvg(Y + 28.0, Title) + Body + "</svg>\n";
 }
 
 } // namespace Drydock

@@ -7,7 +7,7 @@
 #include "SceneFile/SceneCache.h"
 #include "Run/RunDump.h"
 #include "Study/BlurAlgorithms.h"
-#include "Study/BlurNative.h"
+#include "Study/BlurExact.h"
 #include "Text/Fmt.inl"
 #include "Toon/ToonShadowBlur.h"
 
@@ -78,7 +78,7 @@ public:
 		Measured.Image = BlurExact(GetInput(Case), GetSigma(Case));
 		Measured.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
-		Measured.Taps = GetExactCost(GetSigma(Case)).Taps;
+		Measured.Taps = GetExactTaps(GetSigma(Case));
 		return Measured;
 	}
 

@@ -59,6 +59,27 @@ std::string JoinText(const std::vector<std::string>& Parts, std::string_view Sep
 	return Text;
 }
 
+std::string EncodeBase64(const std::string& Bytes)
+{
+	constexpr char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	std::string Text;
+	Text.reserve((Bytes.size() + 2) / 3 * 4);
+	for (size_t At = 0; At < Bytes.size(); At += 3)
+	{
+		const size_t NumBytes = std::min<size_t>(3, Bytes.size() - At);
+		uint32_t Group = 0;
+		for (size_t Byte = 0; Byte < 3; ++Byte)
+		{
+			Group = Group << 8 | (Byte < NumBytes ? static_cast<uint8_t>(Bytes[At + Byte]) : 0u);
+		}
+		for (size_t Digit = 0; Digit < 4; ++Digit)
+		{
+			Text += Digit <= NumBytes ? Digits[Group >> (18 - 6 * Digit) & 63] : '=';
+		}
+	}
+	return Text;
+}
+
 std::string FormatCode(int Code)
 {
 	char Text[16];

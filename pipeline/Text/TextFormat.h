@@ -23,6 +23,9 @@ std::string ToSmallLetters(std::string Text);
 /** The parts with the separator between them. */
 std::string JoinText(const std::vector<std::string>& Parts, std::string_view Separator = ", ");
 
+/** RFC 4648, with padding. */
+DRYDOCK_API std::string EncodeBase64(const std::string& Bytes);
+
 /** "DD1015". */
 std::string FormatCode(int Code);
 

@@ -1,5 +1,6 @@
 // A report's data: the types of report.schema.json that the page reads, and the few questions asked of all of it.
 import { unzlibSync } from "fflate";
+import { Chart } from "./chart";
 import { DiffReport } from "./diff/data";
 import { MatrixReport } from "./matrix/data";
 import { SequenceReport } from "./sequence/data";
@@ -186,12 +187,8 @@ export interface PictureData {
 
 /** The settings along a camera's path. */
 export interface Walk {
-	markName: string;
-	at: string; // label of the mark where the view is
-	marks: { distance: number; label: string }[];
-	distances: number[]; // cm
-	volumes: { name: string; unbound: boolean; weights: number[] }[];
-	rows: { name: string; unit: string; steps: boolean; valueNames: string[]; lines: { label: string; values: number[] }[] }[];
+	at: string; // text of the mark where the view is
+	chart: Chart;
 }
 
 export interface Report {

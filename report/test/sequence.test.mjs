@@ -6,6 +6,7 @@ import { checkAxe, onPage, readCanvas, readData, runs, startBrowser, stopBrowser
 const file = runs + "/walk/sequence.html";
 const data = readData(file);
 const { frames } = data.sequence;
+const settings = (page) => page.walk.chart.panels.filter((panel) => panel.title);
 const at = (page, index) => until(page, ([index, frame]) => document.querySelector("#scrubber").value === String(index) &&
 	!!document.querySelector(`.strip [data-id="${frame}"][aria-selected="true"]`), [index, frames[index].frame]);
 
@@ -38,7 +39,7 @@ test("the frame is chosen by slider, buttons, keys, strip and plots", async () =
 		await at(page, 0);
 		await page.keyboard.press("End");
 		await at(page, frames.length - 1);
-		const box = await plot.locator(".u-over").boundingBox();
+		const box = await plot.boundingBox();
 		await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
 		await until(page, (last) => document.querySelector("#scrubber").valueAsNumber > 1 && document.querySelector("#scrubber").valueAsNumber < last - 1, frames.length - 1);
 	});
@@ -88,14 +89,14 @@ test("it plays and stops", async () => {
 
 test("the walk has every setting that changes, and follows the frame", async () => {
 	await onPage(file, async (page) => {
-		assert.equal(await page.locator("#walk .plot-box").count(), data.walk.rows.length + 1);
+		assert.equal(await page.locator("#walk .plot-box").count(), settings(data).length + 1);
 		const weights = page.locator('#walk [data-chart="weights"]');
 		const before = Number(await weights.getAttribute("aria-valuenow"));
 		await page.click("#later");
 		await at(page, 1);
 		const now = Number(await weights.getAttribute("aria-valuenow"));
 		assert.ok(now > before);
-		assert.ok(Math.abs(data.walk.distances[now] - data.walk.marks[1].distance) < 1);
+		assert.ok(Math.abs(data.walk.chart.panels[0].series[0].line[now][0] - data.walk.chart.marks[1].value) < 1);
 		await weights.focus();
 		await page.keyboard.press("ArrowRight");
 		assert.equal(Number(await weights.getAttribute("aria-valuenow")), now + 1);
@@ -114,7 +115,7 @@ test("frames without a picture show the one before, and the page says so", async
 
 test("a run of one of its frames has the walk among its settings", async () => {
 	await onPage(runs + "/walk4/report.html", async (page) => {
-		assert.equal(await page.locator("#settings #walk .plot-box").count(), readData(runs + "/walk4/report.html").walk.rows.length + 1);
+		assert.equal(await page.locator("#settings #walk .plot-box").count(), settings(readData(runs + "/walk4/report.html")).length + 1);
 		assert.match(await page.textContent("#settings .walk .note"), /the line is where frame 4 is/);
 	});
 });

@@ -62,7 +62,7 @@ test("two variants are pinned by click and by Enter, and let go again", async ()
 
 test("other errors and costs draw the chart anew", async () => {
 	await onPage(file, async (page) => {
-		const place = () => page.locator(".point .dot").evaluateAll((dots) => dots.map((dot) => dot.getAttribute("cx") + " " + dot.getAttribute("cy")).join());
+		const place = () => page.locator(".study-chart .dot, .study-chart .tick").evaluateAll((marks) => marks.map((mark) => mark.getAttribute("cx") + mark.getAttribute("cy") + mark.textContent).join());
 		const seen = new Set([await place()]);
 		for (const name of ["rms", "max", "relative", "psnr", "ssim"].filter((name) => name !== metric)) {
 			await page.selectOption("#metric", name);
@@ -97,7 +97,7 @@ test("small panels show every job, and one of them becomes the chart", async () 
 });
 
 test("where there is one job, small panels show every error", async () => {
-	const one = { ...data, study: { ...data.study, jobs: data.study.jobs.slice(0, 1) }, timing: { ...data.timing, jobs: data.timing.jobs.slice(0, 1) } };
+	const one = { ...data, charts: data.charts.slice(0, 1), study: { ...data.study, jobs: data.study.jobs.slice(0, 1) }, timing: { ...data.timing, jobs: data.timing.jobs.slice(0, 1) } };
 	await withData(one, (single) => onPage(single, async (page) => {
 		await page.keyboard.press("g");
 		assert.equal(await page.locator(".panel").count(), 5);
@@ -109,7 +109,7 @@ test("where there is one job, small panels show every error", async () => {
 
 test("many jobs are a list, and panels choose from it, too", async () => {
 	const often = (jobs) => Array.from({ length: 8 }, (_, i) => ({ ...jobs[i % 2], label: "job " + i }));
-	const many = { ...data, study: { ...data.study, jobs: often(data.study.jobs) }, timing: { ...data.timing, jobs: often(data.timing.jobs) } };
+	const many = { ...data, charts: Array.from({ length: 8 }, (_, i) => data.charts[i % 2]), study: { ...data.study, jobs: often(data.study.jobs) }, timing: { ...data.timing, jobs: often(data.timing.jobs) } };
 	await withData(many, (file) => onPage(file, async (page) => {
 		await page.selectOption("#job", "job 3");
 		assert.ok((await page.textContent("#chart-title")).includes(data.timing.jobs[1].recommended));

@@ -1,8 +1,8 @@
 // The page of a sequence: its frames to go through, exposure and figures over time, settings along the path.
+import { Plot, Plots, Series, makeAxis, makeSeries } from "../chart";
 import { el, section } from "../dom";
 import { count, ms, number, percent } from "../format";
 import { PicturePanel } from "../picture/panel";
-import { Chart, Plots } from "../plots";
 import { listAnswers, row, to } from "../sections/answers";
 import { WalkPanel } from "../sections/walk";
 import { SequenceReport } from "./data";
@@ -66,7 +66,7 @@ export class SequencePage {
 			this.playing, el("button", { type: "button", id: "earlier", "data-tip": "The frame before (key ,)", "aria-label": "The frame before", onclick: () => this.show(this.at() - 1) }, "‹"),
 			el("button", { type: "button", id: "later", "data-tip": "The next frame (key .)", "aria-label": "The next frame", onclick: () => this.show(this.at() + 1) }, "›"),
 			this.scrubber, this.where, this.follow));
-		this.plots = new Plots(frames.map((frame) => frame.frame), this.makeCharts(), { id: "plots", unit: "", name: (index) => `frame ${frames[index].frame}`, choose: (index) => this.show(index) });
+		this.plots = new Plots(frames.map((frame) => frame.frame), this.makeCharts(), { id: "plots", name: (index) => `frame ${frames[index].frame}`, choose: (index) => this.show(index) });
 		this.walk = report.walk ? new WalkPanel(report.walk, true) : null;
 		this.parts = [answers(report), this.picture.element,
 			section("over-time", "Over time", "By frame. A click, or the arrows, choose one.", this.plots.element),
@@ -81,8 +81,6 @@ export class SequencePage {
 
 	redraw(): void {
 		void this.picture.choose(this.picture.selectedA, this.picture.selectedB);
-		this.plots.redraw();
-		this.walk?.plots.redraw();
 	}
 
 	private at(): number {
@@ -146,28 +144,34 @@ export class SequencePage {
 		this.playing.textContent = plays ? "Play" : "Stop";
 	}
 
-	private makeCharts(): Chart[] {
+	private makeCharts(): Plot[] {
 		const { frames, varying } = this.report.sequence;
 		const { figures } = this.report;
-		const one = (id: string, title: string, values: (number | null)[], more: Partial<Chart> = {}): Chart => ({ id, title, lines: [{ label: title, values }], ...more });
+		const x = makeAxis(frames.map((frame) => frame.frame), 0);
+		const line = (name: string, color: string, values: (number | null)[], steps = false) =>
+			makeSeries(name, color, values.flatMap((value, i): [number, number][] => (value === null ? [] : [[frames[i].frame, value]])), steps);
+		const many = (id: string, title: string, series: Series[], show = number, unit = ""): Plot => ({
+			id, show, panel: { title, unit, x, y: makeAxis(series.flatMap(({ line }) => line.map(([, value]) => value)), 0.12, show), limit: null, series },
+		});
+		const one = (id: string, title: string, values: (number | null)[], show = number, unit = "", steps = false) => many(id, title, [line(title, "c1", values, steps)], show, unit);
 		const charts = [
 			one("exposure", "Exposure", frames.map((frame) => frame.exposure.scale)),
 			one("mean", "Mean luminance", figures.map((figure) => figure.mean)),
-			one("change", "Change from the frame before", figures.map((figure) => figure.change), { unit: "RMS" }),
-			one("white", "Pixels at white", figures.map((figure) => figure.white), { show: percent }),
+			one("change", "Change from the frame before", figures.map((figure) => figure.change), number, "RMS"),
+			one("white", "Pixels at white", figures.map((figure) => figure.white), percent),
 		];
 		if (figures.some((figure) => figure.ms !== null)) {
-			charts.push(one("ms", "Passes' time", figures.map((figure) => figure.ms), { show: ms }));
+			charts.push(one("ms", "Passes' time", figures.map((figure) => figure.ms), ms));
 		}
 		if (frames.some((frame) => frame.passes.executed !== frames[0].passes.executed)) {
-			charts.push(one("passes", "Passes that ran", frames.map((frame) => frame.passes.executed), { steps: true, show: (value) => (Number.isInteger(value) ? String(value) : "") }));
+			charts.push(one("passes", "Passes that ran", frames.map((frame) => frame.passes.executed), number, "", true));
 		}
 		if (this.report.walk) {
 			return charts; // which draws settings and volumes, finer than by frames
 		}
 		const volumes = [...new Set(frames.flatMap((frame) => Object.keys(frame.volumes)))];
 		if (volumes.length) {
-			charts.push({ id: "volumes", title: "Weights of the volumes", show: percent, lines: volumes.map((name) => ({ label: name, values: frames.map((frame) => frame.volumes[name] ?? 0) })) });
+			charts.push(many("volumes", "Weights of the volumes", volumes.map((name, i) => line(name, "c" + (i % 10), frames.map((frame) => frame.volumes[name] ?? 0))), percent));
 		}
 		return [...charts, ...varying.filter((name) => frames.every((frame) => typeof frame.settings[name] === "number"))
 			.map((name) => one(name, name, frames.map((frame) => frame.settings[name] as number)))];

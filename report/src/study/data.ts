@@ -1,4 +1,5 @@
 // What the page of a study says: study.json and study_timing.json as they are, and pictures of some variants.
+import { Panel } from "../chart";
 
 export interface Figures {
 	max: number | null;
@@ -62,6 +63,7 @@ export interface StudyReport {
 		repetitions: number;
 		jobs: { label: string; referenceMs: number; recommended: string; recommendation: string; variants: VariantTiming[] }[];
 	};
+	charts: Record<"time" | "taps", Record<Metric, Panel>>[]; // by job
 	insets: { title: string; pictures: Inset[] }[];
 }
 
@@ -74,11 +76,6 @@ export interface Point {
 }
 
 export const metricNames: Record<Metric, string> = { max: "largest error", rms: "RMS error", relative: "relative error", psnr: "PSNR", ssim: "SSIM" };
-
-/** Whether more is better. */
-export function isQuality(metric: Metric): boolean {
-	return metric === "psnr" || metric === "ssim";
-}
 
 export function gatherPoints(report: StudyReport, job: number): Point[] {
 	const timing = report.timing.jobs[job];

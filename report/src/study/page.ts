@@ -1,10 +1,18 @@
 // The page of a study: one sentence that says the result, the chart, a variant's pictures, two of them side by side.
+import { drawPanel } from "../chart";
 import { el, section, table } from "../dom";
 import { ms, number } from "../format";
-import { cost, drawChart } from "./chart";
 import { Metric, Point, StudyReport, gatherPoints, metricNames } from "./data";
 
 const metrics: Metric[] = ["rms", "max", "relative", "psnr", "ssim"];
+
+type Cost = "time" | "taps";
+
+const size = { width: 860, height: 470 };
+
+function cost(point: Point, by: Cost): number {
+	return by === "taps" ? point.result.taps : point.timing.medianMs;
+}
 
 function times(factor: number): string {
 	return factor >= 10 ? factor.toFixed(0) : factor.toFixed(1);
@@ -30,7 +38,7 @@ export class StudyPanel {
 	readonly element: HTMLElement;
 	private job = 0;
 	private metric: Metric;
-	private taps = false;
+	private cost: Cost = "time";
 	private pinned: Point[] = [];
 	private readonly title = el("h2", { id: "chart-title" });
 	private readonly chart = el("div", { class: "study-chart" });
@@ -58,7 +66,7 @@ export class StudyPanel {
 		const mostButtons = 6; // more are a list
 		const jobs = labels.length > mostButtons ? el("label", {}, el("span", {}, "Job"), list) : labels.length > 1 ? buttons : null;
 		const costs = this.segments(["Time", "Texture reads"], "Cost", "cost", (index) => {
-			this.taps = index === 1;
+			this.cost = index === 1 ? "taps" : "time";
 			this.draw();
 		});
 		this.panelsShown = el("button", { type: "button", id: "show-panels", "aria-pressed": "false", "aria-controls": "panels", "data-tip": "The chart of every job, or where there is one of every error, small and to choose from (key G)", onclick: () => {
@@ -77,6 +85,7 @@ export class StudyPanel {
 		this.element.querySelector("h2")!.replaceWith(this.title);
 		this.draw();
 		this.show(this.best());
+		new ResizeObserver(() => this.drawChart()).observe(this.chart);
 	}
 
 	private readonly chooseMetric: (metric: Metric) => void;
@@ -94,8 +103,6 @@ export class StudyPanel {
 	}
 
 	private makePanel(label: string, job: number, metric: Metric): HTMLElement {
-		const nothing = () => undefined;
-		const { budget } = this.report.study;
 		const chosen = job === this.job && metric === this.metric;
 		return el("button", { type: "button", class: "panel", "data-panel": `${job} ${metric}`, "aria-pressed": String(chosen), onclick: () => {
 			this.chooseMetric(metric);
@@ -103,7 +110,7 @@ export class StudyPanel {
 			this.panels.querySelector<HTMLElement>(`[data-panel="${job} ${metric}"]`)?.focus();
 		} },
 			el("span", {}, label || metricNames[metric]), " ", el("span", { class: "quiet" }, label ? this.report.timing.jobs[job].recommended : ""),
-			drawChart(gatherPoints(this.report, job), { metric, taps: this.taps, limit: budget.metric === metric ? budget.max : undefined, pinned: [], show: nothing, pin: nothing, small: true }));
+			drawPanel(this.report.charts[job][this.cost][metric], { ...size, act: () => ({}) }));
 	}
 
 	private best(): Point | undefined {
@@ -122,25 +129,43 @@ export class StudyPanel {
 
 	private draw(): void {
 		const points = gatherPoints(this.report, this.job);
-		const { budget } = this.report.study;
 		this.title.textContent = sayResult(this.report, this.job);
-		this.chart.replaceChildren(drawChart(points, {
-			metric: this.metric, taps: this.taps,
-			limit: budget.metric === this.metric ? budget.max : undefined,
-			pinned: this.pinned.map((point) => point.result.label),
-			show: (point) => this.show(point),
-			pin: (point) => this.pin(point),
-		}));
+		this.drawChart();
 		this.drawPins();
 		this.drawPanels();
-		const front = (point: Point) => (this.taps ? point.result.front : point.timing.front);
+		const front = (point: Point) => (this.cost === "taps" ? point.result : point.timing).front;
 		this.list.replaceChildren(el("details", {}, el("summary", {}, `All ${points.length} variants`), table<Point>([
 			{ title: "Variant", cell: (row) => row.result.label },
 			{ title: "CPU time", number: true, cell: (row) => ms(row.timing.medianMs) },
 			{ title: "Reads", number: true, cell: (row) => number(Number(row.result.taps.toPrecision(3))) },
 			...metrics.map((name) => ({ title: metricNames[name], number: true, cell: (row: Point) => number(row.result[name] ?? NaN) })),
-			{ title: "", cell: (row) => (row.recommended ? "recommended" : front(row) ? "front" : `dominated by ${this.taps ? row.result.dominatedBy : row.timing.dominatedBy}`) },
-		], [...points].sort((a, b) => cost(a, this.taps) - cost(b, this.taps)))));
+			{ title: "", cell: (row) => (row.recommended ? "recommended" : front(row) ? "front" : `dominated by ${(this.cost === "taps" ? row.result : row.timing).dominatedBy}`) },
+		], [...points].sort((a, b) => cost(a, this.cost) - cost(b, this.cost)))));
+	}
+
+	/** As wide as there is room, so that its words stay as large as the page's. */
+	private drawChart(): void {
+		const points = gatherPoints(this.report, this.job);
+		const width = this.chart.clientWidth || size.width;
+		this.chart.replaceChildren(drawPanel(this.report.charts[this.job][this.cost][this.metric], {
+			width, height: Math.min(size.height, 0.85 * width), act: (name) => this.describePoint(points.find((point) => point.result.label === name)!),
+		}));
+	}
+
+	/** The attributes by which a point of the chart is a button. */
+	private describePoint(point: Point) {
+		const { label } = point.result;
+		return {
+			tabindex: 0, role: "button", "data-variant": label, "aria-pressed": String(this.pinned.some((other) => other.result.label === label)),
+			"aria-label": `${label}: ${metricNames[this.metric]} ${number(point.result[this.metric] ?? NaN)}, ${number(Number(cost(point, this.cost).toPrecision(3)))} ${this.cost === "taps" ? "reads a pixel" : "ms"}`,
+			onpointerenter: () => this.show(point), onfocus: () => this.show(point), onclick: () => this.pin(point),
+			onkeydown: (event: KeyboardEvent) => {
+				if (event.key === "Enter" || event.key === " ") {
+					event.preventDefault();
+					this.pin(point);
+				}
+			},
+		};
 	}
 
 	private show(point: Point | undefined): void {
@@ -178,7 +203,7 @@ export class StudyPanel {
 	private drawPins(): void {
 		const [a, b] = this.pinned;
 		const metric = this.metric;
-		const sentence = a && b ? `${b.result.label} takes ${times((100 * cost(b, this.taps)) / cost(a, this.taps))} % of the ${this.taps ? "reads" : "time"} of ${a.result.label}; ` +
+		const sentence = a && b ? `${b.result.label} takes ${times((100 * cost(b, this.cost)) / cost(a, this.cost))} % of the ${this.cost === "taps" ? "reads" : "time"} of ${a.result.label}; ` +
 			`${metricNames[metric]} ${number(Number((b.result[metric] ?? NaN).toPrecision(3)))} beside ${number(Number((a.result[metric] ?? NaN).toPrecision(3)))}.` : "";
 		this.pins.replaceChildren(...(this.pinned.length ? [el("h3", {}, "Pinned"), el("p", { class: "note" }, sentence || "Click a second one to compare; a click on a pinned one lets it go."),
 			el("div", { class: "pair" }, this.pinned.map((point) => el("div", { class: "variant" }, ...this.describe(point))))] : []));

@@ -9,6 +9,7 @@
 #include "Report/MatrixPage.h"
 #include "Report/ReportPng.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -152,9 +153,14 @@ TEST(SequencePage, HasEveryFrameItsFiguresAndTheWalk)
 		ReadPicture((Folder.Path / "out/walk/frames/0002/final.png").string()));
 	EXPECT_NEAR(Step.Rms, Data["figures"][2]["change"].get<double>(), 1e-12);
 	EXPECT_TRUE(Data["figures"][0]["change"].is_null());
-	EXPECT_GT(Data["walk"]["rows"].size(), 2u);
-	EXPECT_EQ(Data["walk"]["distances"].size(), Data["walk"]["rows"][0]["lines"][0]["values"].size());
-	EXPECT_EQ(8u, Data["walk"]["marks"].size()) << "the path is that of all frames of the scene";
+	const FJson& Chart = Data["walk"]["chart"];
+	const auto HasTitle = [](const FJson& Panel)
+	{
+		return Panel["title"] != "";
+	};
+	EXPECT_GT(std::count_if(Chart["panels"].begin(), Chart["panels"].end(), HasTitle), 2);
+	EXPECT_EQ(8u, Chart["panels"].back()["series"][0]["points"].size());
+	EXPECT_EQ(8u, Chart["marks"].size()) << "the path is that of all frames of the scene";
 }
 
 TEST(SequencePage, GoesWhenItsFramesDoAndIsNotPutOverSomebodyElses)

@@ -8,6 +8,7 @@
 #include "Run/RunJson.h"
 #include "SchemaCheck.h"
 #include "SequenceTestUtils.h"
+#include "Text/TextFormat.h"
 
 #include <half.h>
 #include <limits>

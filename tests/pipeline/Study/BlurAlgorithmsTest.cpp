@@ -4,7 +4,7 @@
 
 #include "Picture/ImageMetrics.h"
 #include "Study/BlurAlgorithms.h"
-#include "Study/BlurNative.h"
+#include "Study/BlurExact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,9 +167,6 @@ TEST(BlurAlgorithms, TapsAreThoseOfTheDefinition)
 	EXPECT_DOUBLE_EQ((Half + 12.0 * Half / 2.0 + 12.0 * Half + NumPixels) / NumPixels, GetTaps("GaussianSum"));
 	// 100 + 2 * 20 and 52 + 2 * 20 texels need 256 x 128; two reads for each of log2 N steps, there and back.
 	EXPECT_DOUBLE_EQ(4.0 * (8.0 + 7.0) * 256.0 * 128.0 / NumPixels, GetTaps("FFT"));
-	// Three boxes of which four values change; four values there and four back; each along both axes.
-	EXPECT_DOUBLE_EQ(24.0, GetTaps("Boxes"));
-	EXPECT_DOUBLE_EQ(16.0, GetTaps("Recursive"));
 	// 9.2 deviations: 37 texels, and one; along both axes.
 	EXPECT_DOUBLE_EQ(2.0 * (2.0 * 38.0 + 1.0), GetTaps("Exact"));
 }
@@ -180,6 +177,12 @@ TEST(BlurAlgorithms, SeparableMovesFourTexelsOfItsFormatPerPixel)
 	Half.Storage = "float16";
 	const FBlurRun Run = FBlur("Kawase", std::sqrt(0.5), Half).Run(MakeNoise(64, 64));
 	EXPECT_DOUBLE_EQ(16.0, Run.BytesPerPixel); // one pass: 8 bytes in, 8 out
+}
+
+/** Four doubles a pixel, along two axes there and back. */
+TEST(BlurAlgorithms, ExactMovesDoubles)
+{
+	EXPECT_DOUBLE_EQ(128.0, FBlur("Exact", 2.0).Run(MakeNoise(16, 16)).BytesPerPixel);
 }
 
 TEST(BlurAlgorithms, CoarserStorageIsFurtherFromTheExactBlur)
@@ -214,5 +217,6 @@ TEST(BlurAlgorithms, EngineBlurCannotBeNarrow)
 TEST(BlurAlgorithms, UnknownNameIsNone)
 {
 	EXPECT_EQ(nullptr, FindBlurAlgorithm("Gauss"));
+	EXPECT_EQ(nullptr, FindBlurAlgorithm("Boxes"));
 	EXPECT_NE(nullptr, FindBlurAlgorithm("Exact"));
 }

@@ -1,5 +1,5 @@
 // Error figures of a study, computed a second time. Everything here is plain loops in double from the definitions: the
-// true Gaussian as a two-dimensional sum over all taps, four of the blurs as their papers and headers describe them,
+// true Gaussian as a two-dimensional sum over all taps, three of the blurs as their papers and headers describe them,
 // the widths matched by this file's own second moments, the figures. All of it works on the whole picture; the study's
 // region, which lies away from the picture's borders, only says where blurs are compared. Shared with the program: the
 // container FImage, and the reader of the scene file.
@@ -36,7 +36,7 @@ constexpr FPart Region = {236, 196, 284, 236}; // the point is in it
 
 const char* const GConfig = R"({"scene": {"file": "scenes/toon_character_641x359.exr"}, "study": {"axes": [
 	{"name": "algorithm", "values":
-		["Separable", "DualKawase", "Boxes", "Pyramid", "GaussianSum", "Kawase", "FFT", "Recursive"]},
+		["Separable", "DualKawase", "Pyramid", "GaussianSum", "Kawase", "FFT"]},
 	{"name": "sigma", "values": [2, 5]}, {"name": "input", "values": ["scene", "point"]}],
 	"region": [236, 196, 284, 236], "repetitions": 1}})";
 
@@ -166,30 +166,6 @@ FImage BlurSeparable(const FImage& Image, double Sigma, const FPart& Part = Whol
 	const double Exponent = Bisect(
 		0.1, 4.0 * Sigma, Sigma * Sigma, [&](double Candidate) { return GetVariance(MakeGaussian(Candidate, Reach)); });
 	return Convolve(Image, MakeGaussian(Exponent, Reach), Part);
-}
-
-/** Three averages over whole texels and a fraction of the next ones, of a third of the variance each. In the region. */
-FImage BlurBoxes(const FImage& Image, double Sigma)
-{
-	const double Wanted = Sigma * Sigma / 3.0;
-	size_t Radius = 0;
-	while (GetVariance(std::vector<double>(Radius + 2, 1.0)) <= Wanted)
-	{
-		++Radius;
-	}
-	std::vector<double> Box(Radius + 2, 1.0);
-	Box.back() = Bisect(0.0, 1.0, Wanted,
-		[&](double Fraction)
-		{
-			Box.back() = Fraction;
-			return GetVariance(Box);
-		});
-	const int Reach = static_cast<int>(Box.size()) - 1;
-	const auto Around = [](int Distance)
-	{
-		return FPart{Region.MinX - Distance, Region.MinY - Distance, Region.MaxX + Distance, Region.MaxY + Distance};
-	};
-	return Convolve(Convolve(Convolve(Image, Box, Around(2 * Reach)), Box, Around(Reach)), Box, Region);
 }
 
 /** Halved by [1 3 3 1] / 8, blurred, doubled by the same kernel: 3 parts of the nearer texel and 1 of the next. The two
@@ -436,7 +412,6 @@ TEST_P(StudyFigures, OfBlursWrittenOutHere)
 	ExpectReported("Separable", BlurSeparable(Input, GetParam().Sigma, Region), OfFloat);
 	ExpectReported("Pyramid", BlurPyramid(Input, GetParam().Sigma), OfFloat);
 	ExpectReported("DualKawase", BlurDualKawase(Input, GetParam().Sigma), OfFloat);
-	ExpectReported("Boxes", BlurBoxes(Input, GetParam().Sigma), OfFloat);
 }
 
 /** The second figure is that of the whole picture, where dual Kawase repeats coarse texels along the borders. */
@@ -468,7 +443,7 @@ TEST_P(StudyFigures, AgainstTheDirectConvolution)
 			Image.Values.insert(Image.Values.end(), {Input.Get(X, Y, 0), Input.Get(X, Y, 1), Input.Get(X, Y, 2), 1.0});
 		}
 	}
-	for (const char* Algorithm : {"GaussianSum", "Kawase", "Recursive"})
+	for (const char* Algorithm : {"GaussianSum", "Kawase"})
 	{
 		ExpectReported(Algorithm, FBlur(Algorithm, GetParam().Sigma).Run(Image).Image, 1e-9);
 	}

@@ -61,7 +61,7 @@ FStudy Read(const std::string& More)
 }
 
 const char* const GBlurStudy = R"("study": {"axes": [
-	{"name": "algorithm", "values": ["Separable", "DualKawase", "Boxes", "Direct"]},
+	{"name": "algorithm", "values": ["Separable", "DualKawase", "Pyramid", "Direct"]},
 	{"name": "sigma", "values": [2, 12]}, {"name": "input", "values": ["scene", "point"]}],
 	"region": [300, 140, 348, 180], "repetitions": 1, "current": {"algorithm": "DualKawase"}})";
 
@@ -133,7 +133,7 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 {
 	EXPECT_EQ(
 		"1007 /study/axes/0/values/0: there is no algorithm \"DualKawaze\": Exact, Direct, Separable, GaussianSum, "
-		"Kawase, DualKawase, Pyramid, FFT, Boxes, Recursive; did you mean DualKawase?",
+		"Kawase, DualKawase, Pyramid, FFT; did you mean DualKawase?",
 		ErrorOf(R"("study": {"axes": [{"name": "algorithm", "values": ["DualKawaze"]}]})"));
 	EXPECT_EQ("1007 /study/axes/0/name: \"r.BloomQualty\" is not a setting, a console variable, precision or storage; "
 			  "did you mean r.BloomQuality?",
@@ -156,7 +156,7 @@ TEST(StudyBlur, SaysWhatIsNotRunAndWhatItWouldCost)
 	EXPECT_EQ("not run: it would take 5329 taps per pixel", Direct.Excluded); // (2 * 36 + 1)^2
 	EXPECT_TRUE(Find(Result, "sigma 2, scene", "Direct").bRan);
 	EXPECT_TRUE(Find(Result, "sigma 2, scene", "DualKawase").bCurrent);
-	EXPECT_FALSE(Find(Result, "sigma 2, scene", "Boxes").bCurrent);
+	EXPECT_FALSE(Find(Result, "sigma 2, scene", "Pyramid").bCurrent);
 	EXPECT_NEAR(12.0, Find(Result, "sigma 12, point", "Separable").MeasuredSigma, 0.01);
 }
 
@@ -219,7 +219,7 @@ TEST(StudyFrame, ErrorIsThatOfTwoRuns)
 
 TEST(StudyRegion, BeyondThePictureIsAnError)
 {
-	for (const char* Study : {R"({"axes": [{"name": "algorithm", "values": ["Boxes"]}], "region": [0, 0, 642, 359]})",
+	for (const char* Study : {R"({"axes": [{"name": "algorithm", "values": ["Pyramid"]}], "region": [0, 0, 642, 359]})",
 			 R"({"axes": [{"name": "precision", "values": ["float"]}], "region": [0, 0, 641, 360]})"})
 	{
 		try
@@ -246,7 +246,7 @@ TEST(StudyRegion, OfAFrameIsOnlyCompared)
 
 TEST(StudyRegion, PicturesToLookAtAreThatPartOfTheWhole)
 {
-	const std::string Axes = R"("axes": [{"name": "algorithm", "values": ["Boxes"]}], "repetitions": 1)";
+	const std::string Axes = R"("axes": [{"name": "algorithm", "values": ["Pyramid"]}], "repetitions": 1)";
 	FStudyRun All(MakeOptions("\"study\": {" + Axes + "}"));
 	FStudyRun Part(MakeOptions("\"study\": {" + Axes + R"(, "region": [300, 140, 348, 180]})"));
 	const FStudyResult OfAll = All.Measure();
