@@ -137,6 +137,41 @@ private:
 		AddUse(View->GetParent(), Box, Access, Name, false, SkipBarrierView);
 	}
 
+	template<typename TView>
+	static FRDGSubresources GetBox(const TView* View)
+	{
+		if constexpr (requires { View->GetSubresourceRange(); })
+		{
+			return ToBox(View->GetSubresourceRange());
+		}
+		else
+		{
+			return FRDGSubresources(); // a buffer has no parts
+		}
+	}
+
+	template<typename TView>
+	void AddReadView(const void* Contents, const FHlslMember& Member, const std::string& Name)
+	{
+		if (TView* const View = Read<TView>(Contents, Member, Name))
+		{
+			AddView(View, GetBox(View), GetReadAccess(Pass.Flags), Name);
+		}
+	}
+
+	template<typename TView>
+	void AddWrittenView(const void* Contents, const FHlslMember& Member, const std::string& Name)
+	{
+		if (TView* const View = Read<TView>(Contents, Member, Name))
+		{
+			AddView(View, GetBox(View), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
+		}
+		else
+		{
+			Pass.UnsetOutputs.push_back(Name);
+		}
+	}
+
 	void AddTextureAccess(const FRDGTextureAccess& Access, const std::string& Name)
 	{
 		FRDGTexture* Texture = CheckKnown(Access.GetTexture(), Name);
@@ -194,37 +229,16 @@ private:
 			}
 			break;
 		case UBMT_RDG_TEXTURE_SRV:
-			if (FRDGTextureSRV* View = Read<FRDGTextureSRV>(Contents, Member, Name))
-			{
-				AddView(View, ToBox(View->GetSubresourceRange()), GetReadAccess(Pass.Flags), Name);
-			}
+			AddReadView<FRDGTextureSRV>(Contents, Member, Name);
 			break;
 		case UBMT_RDG_TEXTURE_UAV:
-			if (FRDGTextureUAV* View = Read<FRDGTextureUAV>(Contents, Member, Name))
-			{
-				AddView(View, ToBox(View->GetSubresourceRange()), GetWriteAccess(Pass.Flags), Name,
-					GetSkipBarrierView(View));
-			}
-			else
-			{
-				Pass.UnsetOutputs.push_back(Name);
-			}
+			AddWrittenView<FRDGTextureUAV>(Contents, Member, Name);
 			break;
 		case UBMT_RDG_BUFFER_SRV:
-			if (FRDGBufferSRV* View = Read<FRDGBufferSRV>(Contents, Member, Name))
-			{
-				AddView(View, FRDGSubresources(), GetReadAccess(Pass.Flags), Name);
-			}
+			AddReadView<FRDGBufferSRV>(Contents, Member, Name);
 			break;
 		case UBMT_RDG_BUFFER_UAV:
-			if (FRDGBufferUAV* View = Read<FRDGBufferUAV>(Contents, Member, Name))
-			{
-				AddView(View, FRDGSubresources(), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
-			}
-			else
-			{
-				Pass.UnsetOutputs.push_back(Name);
-			}
+			AddWrittenView<FRDGBufferUAV>(Contents, Member, Name);
 			break;
 		case UBMT_RDG_TEXTURE_ACCESS:
 			AddTextureAccess(*reinterpret_cast<const FRDGTextureAccess*>(Address), Name);
