@@ -137,41 +137,6 @@ private:
 		AddUse(View->GetParent(), Box, Access, Name, false, SkipBarrierView);
 	}
 
-	template<typename TView>
-	static FRDGSubresources GetBox(const TView* View)
-	{
-		if constexpr (requires { View->GetSubresourceRange(); })
-		{
-			return ToBox(View->GetSubresourceRange());
-		}
-		else
-		{
-			return FRDGSubresources(); // a buffer has no parts
-		}
-	}
-
-	template<typename TView>
-	void AddReadView(const void* Contents, const FHlslMember& Member, const std::string& Name)
-	{
-		if (TView* const View = Read<TView>(Contents, Member, Name))
-		{
-			AddView(View, GetBox(View), GetReadAccess(Pass.Flags), Name);
-		}
-	}
-
-	template<typename TView>
-	void AddWrittenView(const void* Contents, const FHlslMember& Member, const std::string& Name)
-	{
-		if (TView* const View = Read<TView>(Contents, Member, Name))
-		{
-			AddView(View, GetBox(View), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
-		}
-		else
-		{
-			Pass.UnsetOutputs.push_back(Name);
-		}
-	}
-
 	void AddTextureAccess(const FRDGTextureAccess& Access, const std::string& Name)
 	{
 		FRDGTexture* Texture = CheckKnown(Access.GetTexture(), Name);
@@ -188,6 +153,30 @@ private:
 		{
 			AddUse(Buffer, GetWhole(Buffer), Access.GetAccess(), Name);
 		}
+	}
+
+	void AddTextureAccesses(const FRDGTextureAccessArray& Accesses, const std::string& Name)
+	{
+		for (const FRDGTextureAccess& Access : Accesses)
+		{
+			AddTextureAccess(Access, Name);
+		}
+	}
+
+	void AddBufferAccesses(const FRDGBufferAccessArray& Accesses, const std::string& Name)
+	{
+		for (const FRDGBufferAccess& Access : Accesses)
+		{
+			AddBufferAccess(Access, Name);
+		}
+	}
+
+	/** A pointer to a view that the graph does not know of: what it changes lies outside. */
+	void AddExternalOutput(const uint8* Address)
+	{
+		const void* View = nullptr;
+		std::memcpy(&View, Address, sizeof(View));
+		Pass.bHasExternalOutputs = Pass.bHasExternalOutputs || View;
 	}
 
 	/** Views made with SkipBarrier are told apart by their place among the graph's objects: any number unique to the
@@ -229,16 +218,37 @@ private:
 			}
 			break;
 		case UBMT_RDG_TEXTURE_SRV:
-			AddReadView<FRDGTextureSRV>(Contents, Member, Name);
+			if (FRDGTextureSRV* View = Read<FRDGTextureSRV>(Contents, Member, Name))
+			{
+				AddView(View, ToBox(View->GetSubresourceRange()), GetReadAccess(Pass.Flags), Name);
+			}
 			break;
 		case UBMT_RDG_TEXTURE_UAV:
-			AddWrittenView<FRDGTextureUAV>(Contents, Member, Name);
+			if (FRDGTextureUAV* View = Read<FRDGTextureUAV>(Contents, Member, Name))
+			{
+				AddView(View, ToBox(View->GetSubresourceRange()), GetWriteAccess(Pass.Flags), Name,
+					GetSkipBarrierView(View));
+			}
+			else
+			{
+				Pass.UnsetOutputs.push_back(Name);
+			}
 			break;
 		case UBMT_RDG_BUFFER_SRV:
-			AddReadView<FRDGBufferSRV>(Contents, Member, Name);
+			if (FRDGBufferSRV* View = Read<FRDGBufferSRV>(Contents, Member, Name))
+			{
+				AddView(View, FRDGSubresources(), GetReadAccess(Pass.Flags), Name);
+			}
 			break;
 		case UBMT_RDG_BUFFER_UAV:
-			AddWrittenView<FRDGBufferUAV>(Contents, Member, Name);
+			if (FRDGBufferUAV* View = Read<FRDGBufferUAV>(Contents, Member, Name))
+			{
+				AddView(View, FRDGSubresources(), GetWriteAccess(Pass.Flags), Name, GetSkipBarrierView(View));
+			}
+			else
+			{
+				Pass.UnsetOutputs.push_back(Name);
+			}
 			break;
 		case UBMT_RDG_TEXTURE_ACCESS:
 			AddTextureAccess(*reinterpret_cast<const FRDGTextureAccess*>(Address), Name);
@@ -247,16 +257,10 @@ private:
 			AddBufferAccess(*reinterpret_cast<const FRDGBufferAccess*>(Address), Name);
 			break;
 		case UBMT_RDG_TEXTURE_ACCESS_ARRAY:
-			for (const FRDGTextureAccess& Access : *reinterpret_cast<const FRDGTextureAccessArray*>(Address))
-			{
-				AddTextureAccess(Access, Name);
-			}
+			AddTextureAccesses(*reinterpret_cast<const FRDGTextureAccessArray*>(Address), Name);
 			break;
 		case UBMT_RDG_BUFFER_ACCESS_ARRAY:
-			for (const FRDGBufferAccess& Access : *reinterpret_cast<const FRDGBufferAccessArray*>(Address))
-			{
-				AddBufferAccess(Access, Name);
-			}
+			AddBufferAccesses(*reinterpret_cast<const FRDGBufferAccessArray*>(Address), Name);
 			break;
 		case UBMT_RDG_UNIFORM_BUFFER:
 			if (FRDGUniformBuffer* Buffer = Read<FRDGUniformBuffer>(Contents, Member, Name))
@@ -266,12 +270,8 @@ private:
 			}
 			break;
 		case UBMT_UAV:
-		{
-			const void* View = nullptr;
-			std::memcpy(&View, Address, sizeof(View));
-			Pass.bHasExternalOutputs = Pass.bHasExternalOutputs || View;
+			AddExternalOutput(Address);
 			break;
-		}
 		case UBMT_RENDER_TARGET_BINDING_SLOTS:
 			Pass.bHasTargetSlots = true;
 			Found.TargetSlots = reinterpret_cast<const FRenderTargetBindingSlots*>(Address);
