@@ -70,12 +70,12 @@ public:
 	{
 		std::vector<std::vector<std::string>> Rows;
 		size_t Index = 0;
-		while (Index < Lines.size() && Lines[Index].rfind(Header, 0) != 0)
+		while (Index < Lines.size() && !Lines[Index].starts_with(Header))
 		{
 			++Index;
 		}
 		EXPECT_LT(Index, Lines.size()) << "the page has no table with the header: " << Header;
-		for (Index += 2; Index < Lines.size() && Lines[Index].rfind("|", 0) == 0; ++Index)
+		for (Index += 2; Index < Lines.size() && Lines[Index].starts_with("|"); ++Index)
 		{
 			Rows.emplace_back();
 			std::istringstream Row(Lines[Index].substr(1));

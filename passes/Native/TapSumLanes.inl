@@ -355,6 +355,34 @@ inline int32_t ChooseChunk(const FSourcePlan& Plan, int32_t Channels, int32_t Ti
 	return Fits >= TileWidth ? TileWidth : Fits < Narrowest ? Narrowest : int32_t(Fits);
 }
 
+/** False when a source cannot be planned; OutPlans has one for each source. */
+template<int N>
+inline bool PlanSources(const FTapSum& Sum, const FKernelTile& Tile, FSourcePlan* OutPlans)
+{
+	int32_t NumTaps = 0;
+	for (int32_t Index = 0; Index < Sum.NumSources; ++Index)
+	{
+		NumTaps += Sum.Sources[Index].NumTaps;
+	}
+	const size_t IntsATap = 2 * size_t(RoundUpTo(Tile.MaxX - Tile.MinX, N) + RoundUpTo(Tile.MaxY - Tile.MinY, N));
+	// A pack is also read from the last column on.
+	int32_t* Ints =
+		static_cast<int32_t*>(GetTapMemory(PlacesMemory, (size_t(NumTaps) * IntsATap + N) * sizeof(int32_t)));
+	FTapPlan* TapPlans = static_cast<FTapPlan*>(GetTapMemory(TapPlansMemory, size_t(NumTaps) * sizeof(FTapPlan)));
+	for (int32_t Index = 0; Index < Sum.NumSources; ++Index)
+	{
+		const FTapSource& Source = Sum.Sources[Index];
+		if (!PlanSource<N>(Source, Tile, Ints, TapPlans, OutPlans[Index]))
+		{
+			return false;
+		}
+		OutPlans[Index].bInBlocks = Index == 0 && CanSumInBlocks(OutPlans[Index]);
+		Ints += size_t(Source.NumTaps) * IntsATap;
+		TapPlans += Source.NumTaps;
+	}
+	return true;
+}
+
 template<int N>
 inline bool SumTile(
 	const FTapSum& Sum, const FKernelTexture& Target, const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY)
@@ -367,27 +395,10 @@ inline bool SumTile(
 	{
 		return false;
 	}
-	int32_t NumTaps = 0;
-	for (int32_t Index = 0; Index < Sum.NumSources; ++Index)
-	{
-		NumTaps += Sum.Sources[Index].NumTaps;
-	}
-	const size_t IntsATap = 2 * size_t(RoundUpTo(Width, N) + RoundUpTo(Height, N));
-	// A pack is also read from the last column on.
-	int32_t* Ints =
-		static_cast<int32_t*>(GetTapMemory(PlacesMemory, (size_t(NumTaps) * IntsATap + N) * sizeof(int32_t)));
-	FTapPlan* TapPlans = static_cast<FTapPlan*>(GetTapMemory(TapPlansMemory, size_t(NumTaps) * sizeof(FTapPlan)));
 	FSourcePlan Plans[MostSources];
-	for (int32_t Index = 0; Index < Sum.NumSources; ++Index)
+	if (!PlanSources<N>(Sum, Tile, Plans))
 	{
-		const FTapSource& Source = Sum.Sources[Index];
-		if (!PlanSource<N>(Source, Tile, Ints, TapPlans, Plans[Index]))
-		{
-			return false;
-		}
-		Plans[Index].bInBlocks = Index == 0 && CanSumInBlocks(Plans[Index]);
-		Ints += size_t(Source.NumTaps) * IntsATap;
-		TapPlans += Source.NumTaps;
+		return false;
 	}
 	if (Sum.NumSources == 1 && SumTapLines<N>(Sum, Plans[0], Target, Tile, ToTargetX, ToTargetY))
 	{

@@ -9,6 +9,7 @@
 #include "Picture/ImageMetrics.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>

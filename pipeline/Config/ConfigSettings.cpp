@@ -307,7 +307,7 @@ FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Mes
 		{
 			ReadBlendables(Member, Settings, Messages);
 		}
-		else if (Name.rfind(OverridePrefix, 0) != 0)
+		else if (!Name.starts_with(OverridePrefix))
 		{
 			ReadSetting(Name, Member, Settings, Messages);
 		}

@@ -2,7 +2,7 @@
 #include "Config/ConfigReader.h"
 
 #include "Config/ConfigKeys.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include "Text/GlobPattern.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <sstream>
@@ -36,12 +36,12 @@ size_t GetHelpColumns(int Width)
 std::vector<FConsoleVariableInfo> FilterConsoleVariables(
 	const std::vector<FConsoleVariableInfo>& Infos, const std::string& Filter)
 {
-	const std::string Wanted = ToSmallLetters(Filter);
+	const std::string Wanted = ToLowerCase(Filter);
 	const bool bPattern = Wanted.find_first_of("*?") != std::string::npos;
 	std::vector<FConsoleVariableInfo> Found;
 	for (const FConsoleVariableInfo& Info : Infos)
 	{
-		const std::string Name = ToSmallLetters(*Info.Name);
+		const std::string Name = ToLowerCase(*Info.Name);
 		if (Name == Wanted)
 		{
 			return {Info};

@@ -2,7 +2,7 @@
 #include "Config/SettingList.h"
 
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
@@ -110,9 +110,8 @@ std::vector<const FSettingField*> FindSettingFields(const std::string& Pattern)
 	std::vector<const FSettingField*> Found;
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		const bool bMatches = bWildcards
-								  ? FString(Field.Name).MatchesWildcard(FString(Pattern.c_str()))
-								  : ToSmallLetters(Field.Name).find(ToSmallLetters(Pattern)) != std::string::npos;
+		const bool bMatches = bWildcards ? FString(Field.Name).MatchesWildcard(FString(Pattern.c_str()))
+										 : ToLowerCase(Field.Name).find(ToLowerCase(Pattern)) != std::string::npos;
 		if (bMatches)
 		{
 			Found.push_back(&Field);

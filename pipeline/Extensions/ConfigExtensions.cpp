@@ -6,7 +6,7 @@
 #include "Extensions/ExtensionErrors.h"
 #include "Extensions/FactoryTypes.h"
 #include "SceneViewState.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>

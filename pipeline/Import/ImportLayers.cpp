@@ -3,7 +3,7 @@
 
 #include "Import/ImportTargets.h"
 #include "Picture/ImageFile.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
@@ -24,7 +24,7 @@ int FindSlot(const std::string& Component)
 	static const std::map<std::string, int> Slots = {{"r", 0}, {"g", 1}, {"b", 2}, {"a", 3}, {"x", 0}, {"y", 1},
 		{"z", 2}, {"w", 3}, {"u", 0}, {"v", 1}, {"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}, {"i", 0},
 		{"id", 0}};
-	const auto Found = Slots.find(ToSmallLetters(Component));
+	const auto Found = Slots.find(ToLowerCase(Component));
 	return Found == Slots.end() ? -1 : Found->second;
 }
 

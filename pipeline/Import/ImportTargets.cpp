@@ -3,6 +3,8 @@
 // Blender writes them.
 #include "Import/ImportTargets.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -20,7 +22,7 @@ std::string KeepLettersAndDigits(std::string_view Name)
 	{
 		if (std::isalnum(static_cast<unsigned char>(Character)) != 0)
 		{
-			Text += static_cast<char>(std::tolower(static_cast<unsigned char>(Character)));
+			Text += ToLowerCase(Character);
 		}
 	}
 	return Text;
@@ -37,7 +39,7 @@ std::vector<std::string> SplitWords(const std::string& Name)
 			Words.emplace_back();
 			continue;
 		}
-		Words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(Character)));
+		Words.back() += ToLowerCase(Character);
 	}
 	return Words;
 }

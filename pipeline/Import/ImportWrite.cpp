@@ -125,8 +125,6 @@ std::string MakeImportConfig(
 	{
 		From += (From.empty() ? "" : ", ") + Files::path(Input).filename().string();
 	}
-	const std::vector<float>* const Ids = Scene.Find("shadingmodel.ID");
-	const bool bToon = Ids != nullptr && std::find(Ids->begin(), Ids->end(), 8.0f) != Ids->end();
 	std::string Text = "// Toon bloom on a frame of your own: " + ForComment(From) + ". drydock run " +
 					   ForComment(Files::path(GetImportConfigPath(SceneFile)).filename().string()) + "\n{\n";
 	Text += "  \"$schema\": \"" + std::string(ImportSchemaName) + "\",\n\n";
@@ -139,11 +137,9 @@ std::string MakeImportConfig(
 	}
 	Text += "\n  },\n\n";
 	Text += "  \"volumes\": [\n    {\n      \"name\": \"Base\",\n      \"bUnbound\": true,\n      \"Settings\": {\n"
-			"        \"BloomIntensity\": 1.5,\n        \"BloomThreshold\": -1,\n";
-	Text += bToon ? "        \"BloomToonIntensity\": 0.1    // pixels of shading model 8 bloom at a tenth\n"
-				  : "        \"BloomToonIntensity\": 0.1    // no pixel has shading model 8 yet: drydock import --toon "
-					"OBJECT\n";
-	Text += "      }\n    }\n  ]\n}\n";
+			"        \"BloomIntensity\": 1.5,\n        \"BloomThreshold\": -1,\n"
+			"        \"BloomToonIntensity\": 0.1    // pixels of shading model 8 bloom at a tenth\n"
+			"      }\n    }\n  ]\n}\n";
 	return Text;
 }
 

@@ -8,8 +8,8 @@
 #include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
-#include "Text/TextFormat.h"
 #include "TileExecutor.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,12 +34,6 @@ bool IsBeingDebugged()
 		}
 	}
 	return false;
-}
-
-std::string JoinNames(const std::vector<std::string>& Names)
-{
-	const std::set<std::string> Sorted(Names.begin(), Names.end());
-	return JoinText({Sorted.begin(), Sorted.end()});
 }
 
 } // namespace
@@ -142,10 +136,11 @@ std::vector<FDiagnostic> FDebugCapture::GetDiagnostics() const
 	std::vector<FDiagnostic> Diagnostics = Problems;
 	if (Passes.empty() && Problems.empty())
 	{
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run draws that pixel with a shader that matches '" +
-									Request.Passes + "'. There are: " + JoinNames(Others),
-						 .Where = "--debug-shaders"},
+		throw FError(
+			{.Code = ErrorBadArgument,
+				.Message = "no pass of this run draws that pixel with a shader that matches '" + Request.Passes +
+						   "'. There are: " + JoinText(std::set<std::string>(Others.begin(), Others.end())),
+				.Where = "--debug-shaders"},
 			ExitUsage);
 	}
 	if (!IsBeingDebugged())

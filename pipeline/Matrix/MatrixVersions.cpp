@@ -4,6 +4,7 @@
 #include "Diagnostics.h"
 #include "EngineProfile.h"
 #include "Matrix/MatrixErrors.h"
+#include "TextTools.h"
 
 #include <set>
 #include <sstream>
@@ -13,12 +14,6 @@ namespace Drydock
 
 namespace
 {
-
-std::string Trim(const std::string& Text)
-{
-	const size_t First = Text.find_first_not_of(" \t");
-	return First == std::string::npos ? "" : Text.substr(First, Text.find_last_not_of(" \t") - First + 1);
-}
 
 [[noreturn]] void FailVersions(const std::string& Message)
 {

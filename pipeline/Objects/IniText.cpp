@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 #include "Objects/ObjectErrors.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <strings.h>
@@ -12,14 +13,6 @@ namespace Drydock
 
 namespace
 {
-
-const char* const Blanks = " \t\r\v\f";
-
-std::string Trim(const std::string& Text)
-{
-	const size_t Begin = Text.find_first_not_of(Blanks);
-	return Begin == std::string::npos ? "" : Text.substr(Begin, Text.find_last_not_of(Blanks) + 1 - Begin);
-}
 
 template<typename T>
 T& FindOrAdd(std::vector<T>& Things, const std::string& Name)

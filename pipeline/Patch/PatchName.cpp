@@ -82,14 +82,14 @@ bool IsApiMacro(const std::string& Name)
 /** The name that one line declares, or nothing. */
 std::string FindDeclaredName(std::string Line)
 {
-	if (Line.rfind("#define", 0) == 0)
+	if (Line.starts_with("#define"))
 	{
 		Line.erase(0, 7);
 		return TakeName(Line);
 	}
 	const std::string First =
 		std::isspace(static_cast<unsigned char>(Line.empty() ? ' ' : Line[0])) != 0 ? "" : TakeName(Line);
-	if (First.rfind("BEGIN_", 0) == 0 && First.find("_STRUCT") != std::string::npos && Line.rfind('(', 0) == 0)
+	if (First.starts_with("BEGIN_") && First.find("_STRUCT") != std::string::npos && Line.starts_with('('))
 	{
 		Line.erase(0, 1);
 		return TakeName(Line);
@@ -104,7 +104,7 @@ std::string FindDeclaredName(std::string Line)
 		Name = TakeName(Line);
 	}
 	const bool bAlias = First == "using";
-	return bAlias && Line.rfind(" =", 0) != 0 ? std::string() : Name;
+	return bAlias && !Line.starts_with(" =") ? std::string() : Name;
 }
 
 /** The folders of the headers that use the engine's names. */

@@ -193,12 +193,12 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 	bool bError = false;
 	for (const std::string& Line : SplitLines(Output))
 	{
-		if (Line.rfind("CMake Error", 0) == 0)
+		if (Line.starts_with("CMake Error"))
 		{
 			bError = true;
 			continue;
 		}
-		if (bError && Line.rfind("Call Stack", 0) == 0)
+		if (bError && Line.starts_with("Call Stack"))
 		{
 			break;
 		}
@@ -268,7 +268,7 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	const std::string Prefix = "-- " + Build.Name + ": ";
 	for (const std::string& Line : SplitLines(Configured))
 	{
-		if (Line.rfind(Prefix, 0) == 0)
+		if (Line.starts_with(Prefix))
 		{
 			OutNotes.push_back(Line.substr(Prefix.size()));
 		}

@@ -4,7 +4,7 @@
 
 #include "Picture/ExrHeader.h"
 #include "Text/Fmt.inl"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -215,7 +215,7 @@ const std::vector<FImageFormat>& GetFormats()
 
 std::string GetExtension(const std::string& Path)
 {
-	return ToSmallLetters(std::filesystem::path(Path).extension().string());
+	return ToLowerCase(std::filesystem::path(Path).extension().string());
 }
 
 void CheckClaim(const FImageClaim& Claim, const FHeaderBytes& Bytes)

@@ -3,7 +3,7 @@
 
 #include "Program/ProgramModel.h"
 #include "Text/ConfigErrors.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <sstream>

@@ -11,8 +11,8 @@
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -67,7 +67,7 @@ std::string ExplainMistake(
 	for (const std::string& Argument : Arguments)
 	{
 		const std::string Name = Argument.substr(0, Argument.find('='));
-		if (Name.rfind("--", 0) == 0 && !Contains(Options, Name))
+		if (Name.starts_with("--") && !Contains(Options, Name))
 		{
 			return ExplainUnknown("option", Name, Options);
 		}

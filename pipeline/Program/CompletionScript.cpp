@@ -1,7 +1,7 @@
 // Writes the scripts: what is the same for all programs as text, verbs and options as cases.
 #include "Program/CompletionScript.h"
 
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <map>

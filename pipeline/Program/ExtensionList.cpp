@@ -8,7 +8,7 @@
 #include "Run/Explain.h"
 #include "Run/PassValues.h"
 #include "Run/Run.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 namespace Drydock
 {

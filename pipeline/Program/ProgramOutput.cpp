@@ -9,6 +9,7 @@
 #include "Text/AsideFile.h"
 #include "Text/JsonWriter.h"
 #include "Text/Terminal.h"
+#include "Text/TextFormat.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -68,7 +69,7 @@ void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagn
 		Writer.Member("file", Diagnostic.File);
 		Writer.Member("line", Diagnostic.Line);
 		Writer.Member("column", Diagnostic.Column);
-		const bool bPointer = Diagnostic.Where.rfind('/', 0) == 0;
+		const bool bPointer = Diagnostic.Where.starts_with('/');
 		Writer.Member("pointer", bPointer ? Diagnostic.Where : "");
 		Writer.Member("where", Diagnostic.Where);
 		Writer.Member("nearest", FindOffered(Diagnostic.Message));

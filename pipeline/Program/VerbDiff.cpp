@@ -14,7 +14,6 @@
 #include "Text/JsonWriter.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 
 #include <algorithm>

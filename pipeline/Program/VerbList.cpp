@@ -16,7 +16,7 @@
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -42,11 +42,7 @@ struct FListOptions
 
 bool ContainsIgnoringCase(const std::string& Text, const std::string& Part)
 {
-	const auto Same = [](char A, char B)
-	{
-		return std::tolower(static_cast<unsigned char>(A)) == std::tolower(static_cast<unsigned char>(B));
-	};
-	return std::search(Text.begin(), Text.end(), Part.begin(), Part.end(), Same) != Text.end();
+	return ToLowerCase(Text).find(ToLowerCase(Part)) != std::string::npos;
 }
 
 /** By the text of one permutation: a hand-written kernel is for all of them. */

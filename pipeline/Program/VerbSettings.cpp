@@ -11,7 +11,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,8 +3,8 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Run/RunResult.h"
-#include "Text/TextFormat.h"
 
 namespace Drydock
 {

@@ -2,23 +2,20 @@
 #include "Run/RunSetup.h"
 
 #include "Config/ReadConfig.h"
-#include "Bloom/PostProcessFFTBloom.h"
 #include "Budget/BudgetChoice.h"
 #include "CodeScope.h"
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
-#include "CurveKeys.h"
 #include "ExtensionFactory.h"
 #include "Extensions/ConfigExtensions.h"
 #include "Extensions/ExtensionErrors.h"
 #include "Extensions/InsertedPass.h"
 #include "Extensions/Plugins.h"
 #include "Run/FinalSettings.h"
+#include "Run/IneffectiveValues.h"
 #include "SceneFile/SceneSuggestions.h"
 #include "SceneFile/TextureFiles.h"
 #include "Screen/TextureAssets.h"
-#include "SettingObjects.h"
-#include "Tonemap/TonemapLens.h"
 
 #include <algorithm>
 #include <set>
@@ -46,80 +43,15 @@ const char* GetStorageValue(const FRunOptions& Options)
 	return Options.bDouble ? "2" : "";
 }
 
-/** Pictures that the tonemapper would read, but that are names of engine assets. */
-void WarnOfMissingPictures(const FFinalPostProcessSettings& Settings, FConfigMessages& Messages)
-{
-	const auto Check = [&](const char* Setting, const UTexture* Texture)
-	{
-		if (Texture != nullptr && !FindTexturePixels(Texture))
-		{
-			Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
-				std::string(Setting) + " " + GetObjectPath(Texture) +
-					" has no pixels here and is ignored: name an image file, relative to the config");
-		}
-	};
-	if (Settings.BloomDirtMaskIntensity > 0.0f)
-	{
-		Check("BloomDirtMask", Settings.BloomDirtMask.Get());
-	}
-	if (HasFilmGrain(Settings))
-	{
-		Check("FilmGrainTexture", Settings.FilmGrainTexture.Get());
-	}
-	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
-	{
-		Check("ColorGradingLUT", Entry.LUT.Get());
-	}
-	if (Settings.ToonShadowBlurIntensity > 0.0f && Settings.ToonShadowBlurBlend == EToonShadowBlurBlend::Max)
-	{
-		Check("ToonShadowBlurRamp", Settings.ToonShadowBlurRamp.Get());
-	}
-}
-
-/** A curve that would act, but that is the name of an engine asset. */
-void WarnOfMissingKeys(const FViewSettings& View, FConfigMessages& Messages)
-{
-	const UCurveFloat* const Curve = View.Settings.AutoExposureBiasCurve;
-	if (View.bAutoExposure && Curve != nullptr && !FindCurveKeys(Curve))
-	{
-		Messages.Warn(WarnIneffectiveValue, FConfigPlace(),
-			"AutoExposureBiasCurve " + GetObjectPath(Curve) +
-				" has no keys here and is ignored: give the keys, {\"keys\": [[EV100, EV], ...]}");
-	}
-}
-
-/** Values that are valid, but that this build cannot act on. */
-void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, std::vector<FDiagnostic>& Diagnostics)
-{
-	FConfigMessages Messages(Config.File, Diagnostics);
-	const FConfigPlace Nowhere;
-	const int32 AntiAliasing = IConsoleManager::Get().FindConsoleVariable(TEXT("r.AntiAliasingMethod"))->GetInt();
-	if (AntiAliasing < 0 || AntiAliasing > 1)
-	{
-		Messages.Warn(WarnIneffectiveValue, Nowhere,
-			"r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
-	}
-	const std::string Obstacle = View.Settings.BloomMethod == BM_FFT && View.Settings.BloomIntensity > 0.0f
-									 ? GetFFTBloomObstacle(View.Settings, true)
-									 : std::string();
-	if (!Obstacle.empty())
-	{
-		Messages.Warn(WarnIneffectiveValue, Nowhere, "BloomMethod BM_FFT: " + Obstacle + ", so the Gaussian sum runs");
-	}
-	if (View.Settings.ToonShadowBlurRamp != nullptr && View.Settings.ToonShadowBlurIntensity > 0.0f &&
-		View.Settings.ToonShadowBlurBlend != EToonShadowBlurBlend::Max)
-	{
-		Messages.Warn(
-			WarnIneffectiveValue, Nowhere, "ToonShadowBlurRamp is ignored: only ToonShadowBlurBlend Max reads it");
-	}
-	WarnOfMissingPictures(View.Settings, Messages);
-	WarnOfMissingKeys(View, Messages);
-}
-
 FConfigDocument OpenDocument(const FRunOptions& Options)
 {
-	return Options.ConfigText ? ParseConfigDocument(*Options.ConfigText, Options.ConfigFile)
-							  : LoadConfigDocument(Options.ConfigFile);
+	FConfigDocument Document = Options.ConfigText ? ParseConfigDocument(*Options.ConfigText, Options.ConfigFile)
+												  : LoadConfigDocument(Options.ConfigFile);
+	if (Document.bSyntaxError)
+	{
+		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
+	}
+	return Document;
 }
 
 /** False when the step could not be taken: why is appended to Diagnostics. */
@@ -168,7 +100,7 @@ void ThrowErrors(const FConfig& Config, std::vector<FDiagnostic> Diagnostics)
 }
 
 /** An unknown name may belong to a plugin that could not be loaded. */
-void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
+std::vector<FDiagnostic> MentionPlugins(std::vector<FDiagnostic> Diagnostics)
 {
 	for (FDiagnostic& Diagnostic : Diagnostics)
 	{
@@ -178,6 +110,7 @@ void MentionPlugins(std::vector<FDiagnostic>& Diagnostics)
 			Diagnostic.Message += " (or a plugin that could not be loaded has it)";
 		}
 	}
+	return Diagnostics;
 }
 
 /** Whether what the config says of its scene is reported already. */
@@ -241,11 +174,38 @@ FConfig ReadWithArguments(
 	return Config;
 }
 
-/** With what a study chose, where the config has a budget and the options want it. */
-FConfigOfRun ChooseBudget(FConfig Config, const FRunOptions& Options, std::vector<FDiagnostic>& Diagnostics)
+struct FPluginsOfRun
 {
-	FConfigOfRun OfRun{std::move(Config), Options, ""};
-	if (Options.bUseBudget)
+	FLoadedPlugins Loaded;
+	std::vector<FDiagnostic> Diagnostics;
+};
+
+FPluginsOfRun LoadPluginsOfRun(const FConfigDocument& Document, const FRunOptions& Options)
+{
+	FConfig Config = ReadConfigPlugins(Document);
+	AddPluginArguments(Config, Options);
+	FPluginsOfRun Plugins;
+	if (Options.bNoPlugins)
+	{
+		RefusePlugins(Config, Plugins.Diagnostics);
+	}
+	else
+	{
+		Plugins.Loaded = LoadPlugins(Config, Plugins.Diagnostics);
+	}
+	return Plugins;
+}
+
+/** Diagnostics are those of the plugins. */
+FConfigOfRun ReadRun(
+	const FConfigDocument& Document, const FRunOptions& Options, ESceneNeed Need, std::vector<FDiagnostic> Diagnostics)
+{
+	FConfigOfRun OfRun{ReadWithArguments(Document, Options, Diagnostics), Options, Need, "", {}};
+	if (IsSceneReported(Diagnostics))
+	{
+		OfRun.Need = ESceneNeed::None;
+	}
+	if (Options.bUseBudget && !HasErrors(Diagnostics))
 	{
 		if (const std::optional<FBudgetChoice> Choice = ReadBudgetChoice(OfRun.Config, Options, Diagnostics))
 		{
@@ -253,12 +213,15 @@ FConfigOfRun ChooseBudget(FConfig Config, const FRunOptions& Options, std::vecto
 			ApplyBudgetChoice(*Choice, OfRun.Config, OfRun.Options);
 		}
 	}
+	OfRun.Diagnostics = std::move(Diagnostics);
 	return OfRun;
 }
 
-void ApplyVariables(
-	const FConfig& Config, const FRunOptions& Options, FRunVariables& Variables, std::vector<FDiagnostic>& Diagnostics)
+std::vector<FDiagnostic> ApplyVariables(const FConfig& Config, const FRunOptions& Options,
+	const std::vector<FIniVariable>& IniVariables, FRunVariables& Variables)
 {
+	std::vector<FDiagnostic> Diagnostics;
+	ApplyIniVariables(IniVariables, Diagnostics);
 	for (const FConfigVariable& Variable : Config.Variables)
 	{
 		Variables.Apply(Variable, Config.File, Diagnostics);
@@ -280,10 +243,25 @@ void ApplyVariables(
 		Variables.Set("r.Drydock.Threads", std::to_string(*Options.Threads));
 	}
 	IConsoleManager::Get().CallAllConsoleVariableSinks();
+	return Diagnostics;
 }
 
-FRunExtensions CreateExtensions(
-	const std::vector<FExtensionRequest>& Requests, const std::vector<FPassRequest>& PassRequests)
+struct FRequestsOfRun
+{
+	std::vector<FExtensionRequest> Extensions;
+	std::vector<FPassRequest> Passes;
+	std::vector<FDiagnostic> Diagnostics;
+};
+
+FRequestsOfRun ReadRequests(const FConfig& Config)
+{
+	FRequestsOfRun Requests;
+	Requests.Extensions = ReadExtensionRequests(Config, Requests.Diagnostics);
+	Requests.Passes = ReadPassRequests(Config, Requests.Diagnostics);
+	return Requests;
+}
+
+FRunExtensions CreateExtensions(const FRequestsOfRun& Requests)
 {
 	FRunExtensions Made;
 	Made.PassResults = std::make_shared<FPassResults>();
@@ -299,12 +277,12 @@ FRunExtensions CreateExtensions(
 		}
 		Made.Extensions.push_back(Extension);
 	};
-	for (const FExtensionRequest& Request : Requests)
+	for (const FExtensionRequest& Request : Requests.Extensions)
 	{
 		const FExtensionFactory& Factory = *FindExtensionFactory(Request.Type);
 		Add(CallCode(Factory.Owner, [&] { return Factory.Create(Request.Arguments); }), Request.Type);
 	}
-	for (const FPassRequest& Request : PassRequests)
+	for (const FPassRequest& Request : Requests.Passes)
 	{
 		Add(CreateInsertedPass(Request, Made.PassResults), Request.Name);
 	}
@@ -357,6 +335,30 @@ void ApplyLayout(const FRunOptions& Options, FConfig& Config)
 	}
 }
 
+/** The config of a frame of the run: with the view and the scene of this frame, or the first frame's if Frame is empty.
+ */
+FFrameOfRun PlaceFrame(const FConfigOfRun& OfRun, std::optional<int> Frame)
+{
+	FFrameOfRun Placed{OfRun.Config, {}};
+	FConfig& Config = Placed.Config;
+	std::vector<FDiagnostic>& Diagnostics = Placed.Diagnostics;
+	if (OfRun.Options.Location)
+	{
+		Config.View.Location = {*OfRun.Options.Location, {1, 1, "--at"}};
+	}
+	ApplyLayout(OfRun.Options, Config);
+	if (Try(Diagnostics, [&] { ChooseSceneFrame(Config, Frame); }))
+	{
+		Try(Diagnostics, [&] { CompleteFromScene(Config, Diagnostics); });
+	}
+	CheckScene(Config, OfRun.Need, Diagnostics);
+	if (OfRun.Need != ESceneNeed::None)
+	{
+		CheckTextureFiles(Config, Diagnostics);
+	}
+	return Placed;
+}
+
 } // namespace
 
 void FRunVariables::Set(const std::string& Name, const std::string& Value)
@@ -389,75 +391,32 @@ void FRunVariables::Apply(
 	Found->Set(Variable.Value.c_str(), SetBy);
 }
 
-FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed InNeed)
-	: Need(InNeed)
+FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed Need)
 {
 	const FConfigDocument Document = OpenDocument(Options);
-	if (Document.bSyntaxError)
-	{
-		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
-	}
-	FConfig OfPlugins = ReadConfigPlugins(Document);
-	AddPluginArguments(OfPlugins, Options);
-	std::vector<FIniVariable> IniVariables;
-	if (Options.bNoPlugins)
-	{
-		RefusePlugins(OfPlugins, OfConfig);
-	}
-	else
-	{
-		FLoadedPlugins Loaded = LoadPlugins(OfPlugins, OfConfig);
-		Plugins = std::move(Loaded.Files);
-		IniVariables = std::move(Loaded.IniVariables);
-	}
-	const bool bPluginLacks = HasErrors(OfConfig);
+	const FPluginsOfRun OfPlugins = LoadPluginsOfRun(Document, Options);
 	Variables.emplace(); // with those that plugins brought
-	FConfig Read = ReadWithArguments(Document, Options, OfConfig);
-	Need = IsSceneReported(OfConfig) ? ESceneNeed::None : Need;
-	OfRun = HasErrors(OfConfig) ? FConfigOfRun{std::move(Read), Options, ""}
-								: ChooseBudget(std::move(Read), Options, OfConfig);
+	OfRun = ReadRun(Document, Options, Need, OfPlugins.Diagnostics);
+	FFrameOfRun Frame = PlaceFrame(OfRun, Options.Frame);
+	const FRequestsOfRun Requests = ReadRequests(Frame.Config);
+	const std::vector<FDiagnostic> Found = Join({&OfRun.Diagnostics, &Frame.Diagnostics, &Requests.Diagnostics});
+	ThrowErrors(Frame.Config, HasErrors(OfPlugins.Diagnostics) ? MentionPlugins(Found) : Found);
+	const std::vector<FDiagnostic> OfVariables =
+		ApplyVariables(Frame.Config, OfRun.Options, OfPlugins.Loaded.IniVariables, *Variables);
+	OfExtensions = Join({&Requests.Diagnostics, &OfVariables});
+	Extensions = CreateExtensions(Requests);
+	TextureLoader.emplace(MakeTextureLoader(Frame.Config));
+	Plugins = OfPlugins.Loaded.Files;
 	BudgetReason = OfRun.BudgetReason;
-	PlaceFrame(Options.Frame);
-	const std::vector<FExtensionRequest> Requests = ReadExtensionRequests(Config, OfExtensions);
-	const std::vector<FPassRequest> PassRequests = ReadPassRequests(Config, OfExtensions);
-	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
-	if (bPluginLacks)
-	{
-		MentionPlugins(Diagnostics);
-	}
-	ThrowErrors(Config, Diagnostics);
-	ApplyIniVariables(IniVariables, OfExtensions);
-	ApplyVariables(Config, OfRun.Options, *Variables, OfExtensions);
-	Extensions = CreateExtensions(Requests, PassRequests);
-	TextureLoader.emplace(MakeTextureLoader(Config));
-	BlendSettings();
-	Dump = ListDumpPatterns(Config, Options);
-	Write = Options.Write.value_or(Config.Write.value_or(Options.WriteByDefault));
+	Dump = ListDumpPatterns(Frame.Config, Options);
+	Write = Options.Write.value_or(Frame.Config.Write.value_or(Options.WriteByDefault));
+	TakeFrame(std::move(Frame));
 }
 
-void FRunSetup::PlaceFrame(std::optional<int> Frame)
+void FRunSetup::TakeFrame(FFrameOfRun Frame)
 {
-	OfFrame.clear();
-	Config = OfRun.Config;
-	if (OfRun.Options.Location)
-	{
-		Config.View.Location = {*OfRun.Options.Location, {1, 1, "--at"}};
-	}
-	ApplyLayout(OfRun.Options, Config);
-	if (Try(OfFrame, [&] { ChooseSceneFrame(Config, Frame); }))
-	{
-		Try(OfFrame, [&] { CompleteFromScene(Config, OfFrame); });
-	}
-	CheckScene(Config, Need, OfFrame);
-	if (Need != ESceneNeed::None)
-	{
-		CheckTextureFiles(Config, OfFrame);
-	}
-}
-
-void FRunSetup::BlendSettings()
-{
-	Diagnostics = Join({&OfConfig, &OfFrame, &OfExtensions});
+	Config = std::move(Frame.Config);
+	Diagnostics = Join({&OfRun.Diagnostics, &Frame.Diagnostics, &OfExtensions});
 	Settings = MakeViewSettings(Config, &Diagnostics);
 	WarnOfIneffectiveValues(Config, Settings, Diagnostics);
 }
@@ -467,9 +426,9 @@ void FRunSetup::BeginFrame(std::optional<int> Frame)
 	Extensions.PassResults->clear(); // they belong to the graph of the frame before
 	if (Frame && Config.Scene.Frame && *Frame != *Config.Scene.Frame)
 	{
-		PlaceFrame(Frame);
-		ThrowErrors(Config, OfFrame);
-		BlendSettings();
+		FFrameOfRun Next = PlaceFrame(OfRun, Frame);
+		ThrowErrors(Next.Config, Next.Diagnostics);
+		TakeFrame(std::move(Next));
 	}
 }
 

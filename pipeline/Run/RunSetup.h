@@ -36,7 +36,15 @@ struct FConfigOfRun
 {
 	FConfig Config;
 	FRunOptions Options;
-	std::string BudgetReason; // what a study chose, and why; empty: nothing was asked
+	ESceneNeed Need = ESceneNeed::None; // None, too, if a mistake about the scene is reported already
+	std::string BudgetReason;           // what a study chose, and why; empty: nothing was asked
+	std::vector<FDiagnostic> Diagnostics;
+};
+
+struct FFrameOfRun
+{
+	FConfig Config;
+	std::vector<FDiagnostic> Diagnostics;
 };
 
 /** View extensions of a config, its inserted passes among them, and what these left in the graph of the last frame. */
@@ -69,17 +77,14 @@ struct DRYDOCK_API FRunSetup
 	std::string BudgetReason;                    // see FConfigOfRun
 
 private:
-	void PlaceFrame(std::optional<int> Frame);
-	void BlendSettings();
+	/** Blends the frame's settings. */
+	void TakeFrame(FFrameOfRun Frame);
 
-	ESceneNeed Need;
 	std::optional<FRunVariables> Variables;
 	std::optional<FScopedTextureLoader> TextureLoader;
 	FRunExtensions Extensions;
-	FConfigOfRun OfRun; // of any frame
-	std::vector<FDiagnostic> OfConfig;
-	std::vector<FDiagnostic> OfFrame;
-	std::vector<FDiagnostic> OfExtensions;
+	FConfigOfRun OfRun;                    // of any frame
+	std::vector<FDiagnostic> OfExtensions; // of the variables, too
 };
 
 } // namespace Drydock

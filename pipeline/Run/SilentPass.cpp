@@ -7,7 +7,7 @@
 #include "Run/PassMember.h"
 #include "Run/RunDump.h"
 #include "ShaderParameterMetadata.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -134,7 +134,7 @@ bool IsStrength(std::string Name)
 	{
 		return false;
 	}
-	Name = ToSmallLetters(Name);
+	Name = ToLowerCase(Name);
 	return std::any_of(std::begin(Strengths), std::end(Strengths),
 		[&Name](const char* Word) { return Name.find(Word) != std::string::npos; });
 }

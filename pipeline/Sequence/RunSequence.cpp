@@ -11,7 +11,7 @@
 #include "Sequence/SequenceJson.h"
 #include "Sequence/ViewStateFile.h"
 #include "Text/Fingerprint.h"
-#include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <chrono>
@@ -379,8 +379,7 @@ private:
 			.Message =
 				"frame " + std::to_string(Frames.front().Number) + " begins with the history of " +
 				(Lead.empty() ? "no frame" : std::to_string(Lead.size()) + (Lead.size() == 1 ? " frame" : " frames")) +
-				", and " + Number + (Before.size() == 1 ? " is" : " are") + " before it (" +
-				JoinText({Kept.begin(), Kept.end()}, ", ") +
+				", and " + Number + (Before.size() == 1 ? " is" : " are") + " before it (" + JoinText(Kept) +
 				"): its picture, and the pictures after it, may differ from the whole sequence; --lead " + Number +
 				" avoids this",
 			.File = Frames.front().Path}});

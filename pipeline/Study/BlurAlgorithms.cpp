@@ -34,7 +34,7 @@ namespace Drydock
 namespace
 {
 
-/** What a blur adds to a graph. */
+/** Adds a blur to a graph; gives the blurred picture. */
 using FAddBlur =
 	std::function<FScreenPassTexture(FRDGBuilder&, const FViewInfo&, const FScreenPassTexture& Input, double Sigma)>;
 
@@ -444,7 +444,7 @@ void FBlur::Match()
 		{
 			break;
 		}
-		// What halving and stretching add to the variance they add whatever is asked for.
+		// Halving and stretching add the same variance at every requested sigma.
 		Requested = std::sqrt(std::max(0.01, Requested * Requested + Sigma * Sigma - Measured * Measured));
 	}
 	Requested = Best;

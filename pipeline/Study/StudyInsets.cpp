@@ -75,7 +75,7 @@ FImage CutOutAround(const FImage& Image, int CentreX, int CentreY)
 	return Part;
 }
 
-/** What linear values are multiplied by to be seen: brings all but the brightest twentieth into range; at most 1. */
+/** Chooses the factor that makes linear values visible: all but the brightest twentieth come into range. At most 1. */
 double ChooseExposure(FImage Part)
 {
 	const auto Bright = Part.Values.begin() + static_cast<std::ptrdiff_t>(Part.Values.size() * 19 / 20);

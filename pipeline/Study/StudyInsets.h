@@ -1,5 +1,5 @@
-// Shows how errors look: for a few jobs of a study the reference and three variants (the recommended one, the one in
-// use, then the front's and the largest errors), each over a map of its error.
+// Shows how errors look, for a few jobs of a study: the reference and three variants, each over a map of its error. The
+// recommended variant and the one in use come first, then those of the front and of the largest errors.
 #pragma once
 
 #include "Study/StudyInsetSheet.h"

@@ -18,7 +18,7 @@ namespace
 
 using FRow = std::vector<std::string>;
 
-/** Of the columns in MakeStudyTable: without room, what says least about the choice goes first. */
+/** The columns of MakeStudyTable. Where there is no room, the column that matters least for the choice goes first. */
 std::vector<FTextColumn> GetColumns(const std::string& Metric)
 {
 	constexpr ETextColumn Number = ETextColumn::Number;
@@ -71,7 +71,7 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 		DescribeRank(Result, Variant)};
 }
 
-/** What is as fast as something else: pairs of the front only, for they are what is chosen among. */
+/** Names the pairs of variants that are equally fast; only pairs of the front, since a choice is made among these. */
 std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job, int Width)
 {
 	constexpr size_t Otherwise = 130;

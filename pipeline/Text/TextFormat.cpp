@@ -42,23 +42,6 @@ std::string MakeFileNamePart(const std::string& Text)
 	return Part;
 }
 
-std::string ToSmallLetters(std::string Text)
-{
-	std::transform(Text.begin(), Text.end(), Text.begin(),
-		[](unsigned char Character) { return static_cast<char>(std::tolower(Character)); });
-	return Text;
-}
-
-std::string JoinText(const std::vector<std::string>& Parts, std::string_view Separator)
-{
-	std::string Text;
-	for (const std::string& Part : Parts)
-	{
-		Text += (Text.empty() ? "" : std::string(Separator)) + Part;
-	}
-	return Text;
-}
-
 std::string EncodeBase64(const std::string& Bytes)
 {
 	constexpr char Digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -4,8 +4,6 @@
 #include "DrydockAPI.h"
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace Drydock
 {
@@ -16,12 +14,6 @@ DRYDOCK_API std::string NumberText(double Number);
 
 /** The text with _ for all characters outside [A-Za-z0-9_-]. */
 DRYDOCK_API std::string MakeFileNamePart(const std::string& Text);
-
-/** The text with a to z for A to Z. */
-std::string ToSmallLetters(std::string Text);
-
-/** The parts with the separator between them. */
-std::string JoinText(const std::vector<std::string>& Parts, std::string_view Separator = ", ");
 
 /** RFC 4648, with padding. */
 DRYDOCK_API std::string EncodeBase64(const std::string& Bytes);

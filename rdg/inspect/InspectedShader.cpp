@@ -6,6 +6,7 @@
 #include "ShaderDirectories.h"
 #include "ShaderFrontEnd.h"
 #include "SpirvQuads.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <sstream>
@@ -141,9 +142,7 @@ std::string FInspectedShader::GetLine(const std::string& File, int Line) const
 
 std::string FInspectedShader::GetTrimmedLine(const std::string& File, int Line) const
 {
-	const std::string Text = GetLine(File, Line);
-	const size_t Begin = Text.find_first_not_of(" \t");
-	return Begin == std::string::npos ? std::string() : Text.substr(Begin, Text.find_last_not_of(" \t") + 1 - Begin);
+	return Trim(GetLine(File, Line));
 }
 
 } // namespace Drydock

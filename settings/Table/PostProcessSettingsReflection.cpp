@@ -129,6 +129,11 @@ bool FSettingField::IsInRange(const FSettingValue& Value) const
 	return true;
 }
 
+bool IsBloomStrength(std::string_view Name, std::string_view Category, bool bNumber)
+{
+	return bNumber && Category == "Lens|Bloom" && Name.ends_with("Intensity") && !Name.starts_with("BloomConvolution");
+}
+
 std::vector<FSettingField>& GetMutableSettingFields()
 {
 	// Never destroyed: plugins take theirs away at the very end of the program.

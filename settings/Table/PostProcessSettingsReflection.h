@@ -59,6 +59,10 @@ struct FSettingField
 	DRYDOCK_API bool IsInRange(const FSettingValue& Value) const;
 };
 
+/** Whether a setting multiplies the bloom, by the engine's names: a number "...Intensity" of the bloom's category. The
+ * intensity of convolution bloom alone has names of its own. */
+DRYDOCK_API bool IsBloomStrength(std::string_view Name, std::string_view Category, bool bNumber);
+
 /** All fields in the order of the table; behind them those that plugins have added. */
 DRYDOCK_API const std::vector<FSettingField>& GetSettingFields();
 

@@ -1,6 +1,8 @@
 // Keeps one object for each path and class.
 #include "SettingObjects.h"
 
+#include "TextTools.h"
+
 #include <map>
 #include <memory>
 #include <mutex>
@@ -81,21 +83,19 @@ std::string GetObjectPath(const UObject* Object)
 
 std::string StripObjectClass(const std::string& Reference)
 {
-	constexpr std::string_view Space = " \t\r\n";
-	std::string_view Path = Reference;
+	std::string Path = Reference;
 	for (;;)
 	{
-		const size_t First = Path.find_first_not_of(Space);
-		Path = First == std::string_view::npos ? "" : Path.substr(First, Path.find_last_not_of(Space) - First + 1);
+		Path = Trim(Path);
 		if (Path.size() >= 2 && Path.front() == '"' && Path.back() == '"')
 		{
 			Path = Path.substr(1, Path.size() - 2);
 			continue;
 		}
 		const size_t Open = Path.find('\'');
-		if (Open == std::string_view::npos || Open + 1 == Path.size() || Path.back() != '\'')
+		if (Open == std::string::npos || Open + 1 == Path.size() || Path.back() != '\'')
 		{
-			return std::string(Path);
+			return Path;
 		}
 		Path = Path.substr(Open + 1, Path.size() - Open - 2);
 	}

@@ -179,7 +179,7 @@ std::optional<FNewSetting> MakeNewSetting(
 	}
 	Setting.Default = FormatDefault(Model, Setting.Type);
 	Setting.Blend = Setting.Type == "bool" || Setting.Type == "int32" ? ESettingBlend::Set : ESettingBlend::Lerp;
-	Setting.Category = Name.rfind("Bloom", 0) == 0 ? "Lens|Bloom" : Name.rfind("Film", 0) == 0 ? "Film" : "Lens";
+	Setting.Category = Name.starts_with("Bloom") ? "Lens|Bloom" : Name.starts_with("Film") ? "Film" : "Lens";
 	return Setting;
 }
 

@@ -67,7 +67,7 @@ bool IsBloom(const FNewSetting& Setting)
 /** Whether the engine's switches for bloom set it to 0: what multiplies the bloom. */
 bool IsSwitchedOff(const FNewSetting& Setting)
 {
-	return IsBloom(Setting) && Setting.Type == "float" && Setting.Name.ends_with("Intensity");
+	return IsBloomStrength(Setting.Name, Setting.Category, Setting.Type == "float");
 }
 
 /** Whether it is a strength of bloom that the engine does not have: it is for something that the G-buffer marks. */

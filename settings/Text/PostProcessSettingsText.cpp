@@ -284,7 +284,7 @@ FSettingsText ReadSettingsStruct(
 FSettingsText ReadSettingsText(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
 {
 	FSettingsTextMessages Messages(Text, File, Diagnostics);
-	size_t Offset = Text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+	size_t Offset = Text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 	FEngineTextValue Struct;
 	if (!CheckEngineTextEncoding(Text, Messages) || !ParseEngineText(Text, Offset, "", Struct, Messages))
 	{
@@ -310,16 +310,19 @@ std::vector<std::string> UpgradeSettings(FPostProcessSettings& Settings)
 	{
 		return Changed;
 	}
-	for (const char* Name : {"BloomIntensity", "BloomToonIntensity"})
+	for (const FSettingField& Field : GetSettingFields())
 	{
-		const FSettingField& Field = *FindSettingField(Name);
+		if (!IsBloomStrength(Field.Name, Field.Category, Field.Type == ESettingType::Float))
+		{
+			continue;
+		}
 		FSettingValue Value = Field.Get(Settings);
 		const bool bGiven = Field.IsOverridden(Settings) || !(Value == Field.Default);
 		if (bGiven && Value.Components[0] != 1.0)
 		{
 			Value.Components[0] = 1.0;
 			Field.Set(Settings, Value);
-			Changed.emplace_back(Name);
+			Changed.emplace_back(Field.Name);
 		}
 	}
 	return Changed;

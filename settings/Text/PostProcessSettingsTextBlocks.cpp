@@ -42,7 +42,7 @@ public:
 		: Text(InText)
 		, Messages(InMessages)
 	{
-		At = Text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+		At = Text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 		Open.emplace_back();
 	}
 

@@ -305,7 +305,7 @@ std::vector<FVolumeText> ReadVolumesText(
 	{
 		return Volumes;
 	}
-	size_t Begin = Text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+	size_t Begin = Text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 	SkipEngineTextSpace(Text, Begin);
 	if (Begin < Text.size() && Text[Begin] == '(')
 	{

@@ -39,7 +39,7 @@ inline FUsfInput ReadUsfInput(const std::string& Text)
 		const size_t End = std::min(Text.find('\n', At), Text.size() - 1) + 1;
 		const std::string Line = Text.substr(At, End - At);
 		At = End;
-		if (Line.rfind("//@ ", 0) != 0)
+		if (!Line.starts_with("//@ "))
 		{
 			*Section += Line;
 			continue;
@@ -113,7 +113,7 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 	size_t Number = 0;
 	for (const std::string& Line : SplitLines(Flattened))
 	{
-		if (Line.rfind("#line ", 0) == 0)
+		if (Line.starts_with("#line "))
 		{
 			bMain = Line.size() > Mine.size() && Line.compare(Line.size() - Mine.size(), Mine.size(), Mine) == 0;
 			Number = size_t(std::atoi(Line.c_str() + 6));

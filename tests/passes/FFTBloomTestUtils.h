@@ -128,7 +128,7 @@ inline FImage MakeImpulse(int Width, int Height, double Value = 1)
 inline bool Contains(const std::vector<std::string>& Passes, const std::string& Beginning)
 {
 	return std::any_of(
-		Passes.begin(), Passes.end(), [&](const std::string& Pass) { return Pass.rfind(Beginning, 0) == 0; });
+		Passes.begin(), Passes.end(), [&](const std::string& Pass) { return Pass.starts_with(Beginning); });
 }
 
 } // namespace PassTest

@@ -48,7 +48,7 @@ std::set<std::string> FindRows()
 	const std::regex Name("`((?:rdg|settings|passes|pipeline)/[A-Za-z/]+)`");
 	for (std::string Line; std::getline(Lines, Line);)
 	{
-		const std::string First = Line.rfind("| `", 0) == 0 ? Line.substr(0, Line.find('|', 1)) : "";
+		const std::string First = Line.starts_with("| `") ? Line.substr(0, Line.find('|', 1)) : "";
 		for (std::sregex_iterator It(First.begin(), First.end(), Name), End; It != End; ++It)
 		{
 			Rows.insert((*It)[1]);

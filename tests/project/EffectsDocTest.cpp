@@ -28,7 +28,7 @@ std::string ReadPage()
 /** Of an effect that drydock brought; the engine's own are in the engine's documentation. */
 bool HasRow(const FSettingField& Field)
 {
-	return FindSettingOwner(Field.Name) != nullptr && std::string(Field.Doc).rfind("drydock:", 0) == 0;
+	return FindSettingOwner(Field.Name) != nullptr && std::string(Field.Doc).starts_with("drydock:");
 }
 
 /** The table row that names it in its first cell; empty where there is none. */
@@ -38,7 +38,7 @@ std::string FindRow(const std::string& Page, const std::string& Name)
 	for (std::string Line; std::getline(Lines, Line);)
 	{
 		const std::string First = Line.substr(0, Line.find('|', 1));
-		if (Line.rfind("| `", 0) == 0 && First.find("`" + Name + "`") != std::string::npos)
+		if (Line.starts_with("| `") && First.find("`" + Name + "`") != std::string::npos)
 		{
 			return Line;
 		}

@@ -67,7 +67,7 @@ std::map<std::string, std::string> ReadExports(const Files::path& Library)
 		std::istringstream Fields(Line);
 		std::string Address, Kind, Symbol;
 		Fields >> Address >> Kind >> Symbol;
-		if (Symbol.rfind("__odr_asan", 0) != 0) // the address sanitizer's own
+		if (!Symbol.starts_with("__odr_asan")) // the address sanitizer's own
 		{
 			Exports.emplace(GetOutermostName(Symbol), Symbol);
 		}
@@ -87,7 +87,7 @@ TEST(ExportedSymbols, AreOursInOurNamespaceOrTheEnginesByName)
 		const std::string Library = Entry.path().filename().string();
 		// A module is loaded for itself (RTLD_LOCAL): its names meet nobody's.
 		const bool bModule = Library == "libdrydock_openimageio.so";
-		if (Library.rfind("libdrydock", 0) != 0 || Entry.path().extension() != ".so" || bModule)
+		if (!Library.starts_with("libdrydock") || Entry.path().extension() != ".so" || bModule)
 		{
 			continue;
 		}

@@ -87,6 +87,15 @@ TEST(SettingPlan, ToonBloomTouchesTheArticlesPlacesInEngineOrder)
 		Summary(PlanOf("BloomToonIntensity")));
 }
 
+TEST(SettingPlan, BloomsSwitchesLeaveTheIntensityOfConvolutionAlone)
+{
+	const std::vector<FSettingPlace> Plan = PlanOf("BloomConvolutionIntensity");
+	EXPECT_EQ("", TextAt(Plan, "SceneView.cpp", "r.DefaultFeature.Bloom"));
+	EXPECT_EQ("", TextAt(Plan, "SceneView.cpp", "ShowFlag.Bloom"));
+	EXPECT_EQ("", TextAt(Plan, "Scene.cpp", "PostSerialize"));
+	EXPECT_NE("", TextAt(PlanOf("BloomIntensity"), "SceneView.cpp", "ShowFlag.Bloom"));
+}
+
 TEST(SettingPlan, ToonBloomBringsTheSceneTexturesFromTheCallToTheBranch)
 {
 	const std::vector<FSettingPlace> Plan = PlanOf("BloomToonIntensity");

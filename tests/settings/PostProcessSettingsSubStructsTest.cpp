@@ -41,7 +41,7 @@ void ExpectOverriddenAreThoseOf(const FPostProcessSettings& Settings, const std:
 	std::set<std::string> Expected = Also;
 	for (const FSettingField& Field : GetSettingFields())
 	{
-		if (std::string(Field.Name).rfind(Prefix, 0) == 0 && Except.count(Field.Name) == 0)
+		if (std::string(Field.Name).starts_with(Prefix) && Except.count(Field.Name) == 0)
 		{
 			Expected.insert(Field.Name);
 		}

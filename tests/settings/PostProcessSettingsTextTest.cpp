@@ -397,6 +397,15 @@ TEST(SettingsUpgrade, OtherBloomAndNoBloomStay)
 	EXPECT_EQ(0.0f, Off.BloomIntensity);
 }
 
+TEST(SettingsUpgrade, ConvolutionsOwnIntensityStays)
+{
+	FPostProcessSettings Settings =
+		ReadClean("(bOverride_BloomMethod=True,BloomMethod=BM_FFT,bOverride_BloomConvolutionIntensity=True,"
+				  "BloomConvolutionIntensity=2)");
+	EXPECT_TRUE(UpgradeSettings(Settings).empty());
+	EXPECT_EQ(2.0f, Settings.BloomConvolutionIntensity);
+}
+
 TEST(SettingsUpgrade, WhatIsNotGivenStays)
 {
 	FPostProcessSettings Settings = ReadClean("(bOverride_BloomMethod=True,BloomMethod=BM_FFT)");

@@ -17,7 +17,7 @@ FTextPositions::FTextPositions(const std::string& InText)
 			LineBegins.push_back(At + 1);
 		}
 	}
-	LastOffset = Text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0; // a byte-order mark has no column
+	LastOffset = Text.starts_with("\xEF\xBB\xBF") ? 3 : 0; // a byte-order mark has no column
 	LineBegins[0] = LastOffset;
 }
 

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <string>
+#include <string_view>
 
 namespace Drydock
 {
@@ -20,22 +21,41 @@ constexpr bool IsWordCharacter(char Character)
 		   Character == '_';
 }
 
+/** A small letter for a capital. */
+constexpr char ToLowerCase(char Character)
+{
+	return Character >= 'A' && Character <= 'Z' ? static_cast<char>(Character - 'A' + 'a') : Character;
+}
+
 /** The text with small letters for capitals. */
 inline std::string ToLowerCase(std::string Text)
 {
 	for (char& Character : Text)
 	{
-		Character = Character >= 'A' && Character <= 'Z' ? static_cast<char>(Character - 'A' + 'a') : Character;
+		Character = ToLowerCase(Character);
 	}
 	return Text;
 }
 
-/** The text without the spaces, tabs and line breaks at its ends. */
-inline std::string Trim(const std::string& Text)
+/** The text without the spaces, tabs and breaks of lines and pages at its ends. */
+inline std::string Trim(std::string_view Text)
 {
-	constexpr const char* Blanks = " \t\r\n";
+	constexpr const char* Blanks = " \t\r\n\v\f";
 	const size_t First = Text.find_first_not_of(Blanks);
-	return First == std::string::npos ? std::string() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1);
+	return std::string(
+		First == Text.npos ? std::string_view() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1));
+}
+
+/** The strings of a range with the separator between them. */
+template<typename TRange>
+std::string JoinText(const TRange& Parts, std::string_view Separator = ", ")
+{
+	std::string Text;
+	for (const std::string& Part : Parts)
+	{
+		Text.append(Text.empty() ? std::string_view() : Separator).append(Part);
+	}
+	return Text;
 }
 
 /** The text between quotes of C++, in one line: every name of a stranger's that stands in code is written by this

@@ -2,9 +2,9 @@
 #include "ShaderDirectories.h"
 
 #include "Diagnostics.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -32,8 +32,7 @@ FMappings& GetMappings()
 
 bool EqualsIgnoringCase(const std::string& A, const std::string& B)
 {
-	return std::equal(A.begin(), A.end(), B.begin(), B.end(),
-		[](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+	return ToLowerCase(A) == ToLowerCase(B);
 }
 
 /** Shaders written on Windows name files in any case: what is not found as written is looked up by folder listing. */

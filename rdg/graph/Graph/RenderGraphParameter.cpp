@@ -155,6 +155,30 @@ private:
 		}
 	}
 
+	void AddTextureAccesses(const FRDGTextureAccessArray& Accesses, const std::string& Name)
+	{
+		for (const FRDGTextureAccess& Access : Accesses)
+		{
+			AddTextureAccess(Access, Name);
+		}
+	}
+
+	void AddBufferAccesses(const FRDGBufferAccessArray& Accesses, const std::string& Name)
+	{
+		for (const FRDGBufferAccess& Access : Accesses)
+		{
+			AddBufferAccess(Access, Name);
+		}
+	}
+
+	/** A pointer to a view that the graph does not know of: what it changes lies outside. */
+	void AddExternalOutput(const uint8* Address)
+	{
+		const void* View = nullptr;
+		std::memcpy(&View, Address, sizeof(View));
+		Pass.bHasExternalOutputs = Pass.bHasExternalOutputs || View;
+	}
+
 	/** Views made with SkipBarrier are told apart by their place among the graph's objects: any number unique to the
 	 * view. */
 	static int32 GetSkipBarrierView(const FRDGUnorderedAccessView* View)
@@ -233,16 +257,10 @@ private:
 			AddBufferAccess(*reinterpret_cast<const FRDGBufferAccess*>(Address), Name);
 			break;
 		case UBMT_RDG_TEXTURE_ACCESS_ARRAY:
-			for (const FRDGTextureAccess& Access : *reinterpret_cast<const FRDGTextureAccessArray*>(Address))
-			{
-				AddTextureAccess(Access, Name);
-			}
+			AddTextureAccesses(*reinterpret_cast<const FRDGTextureAccessArray*>(Address), Name);
 			break;
 		case UBMT_RDG_BUFFER_ACCESS_ARRAY:
-			for (const FRDGBufferAccess& Access : *reinterpret_cast<const FRDGBufferAccessArray*>(Address))
-			{
-				AddBufferAccess(Access, Name);
-			}
+			AddBufferAccesses(*reinterpret_cast<const FRDGBufferAccessArray*>(Address), Name);
 			break;
 		case UBMT_RDG_UNIFORM_BUFFER:
 			if (FRDGUniformBuffer* Buffer = Read<FRDGUniformBuffer>(Contents, Member, Name))
@@ -252,12 +270,8 @@ private:
 			}
 			break;
 		case UBMT_UAV:
-		{
-			const void* View = nullptr;
-			std::memcpy(&View, Address, sizeof(View));
-			Pass.bHasExternalOutputs = Pass.bHasExternalOutputs || View;
+			AddExternalOutput(Address);
 			break;
-		}
 		case UBMT_RENDER_TARGET_BINDING_SLOTS:
 			Pass.bHasTargetSlots = true;
 			Found.TargetSlots = reinterpret_cast<const FRenderTargetBindingSlots*>(Address);

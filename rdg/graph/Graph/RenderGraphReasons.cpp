@@ -40,7 +40,7 @@ bool HasOutputs(const FRDGPassDescription& Pass)
 
 const char* IsOrAre(const std::string& Outputs)
 {
-	return Outputs.compare(0, 8, "outputs ") == 0 ? " are" : " is";
+	return Outputs.starts_with("outputs ") ? " are" : " is";
 }
 
 /** "A -> B -> C"; of a long one the first and the last passes. */

@@ -91,7 +91,7 @@ const std::string& GetHeaderHash()
 			for (fs::directory_iterator It(Folder, Error), End; !Error && It != End; It.increment(Error))
 			{
 				const std::string Name = It->path().filename().string();
-				const bool bLanes = Name.rfind("Lanes", 0) == 0 && It->path().extension() == ".h";
+				const bool bLanes = Name.starts_with("Lanes") && It->path().extension() == ".h";
 				if (bLanes || Name == HeaderName || Name == "ShaderKernel.h")
 				{
 					Names.push_back(It->path().string());

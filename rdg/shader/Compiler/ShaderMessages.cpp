@@ -164,7 +164,7 @@ private:
 	{
 		const std::string Thing = GetQuoted(Error.Message);
 		const bool bNamed = !Thing.empty() && (std::isalpha(static_cast<unsigned char>(Thing[0])) || Thing[0] == '_');
-		return Error.Code == 6010 && Error.Line > 0 && !bNamed && Error.Message.find('\'') == 0 &&
+		return Error.Code == 6010 && Error.Line > 0 && !bNamed && Error.Message.starts_with('\'') &&
 			   std::any_of(Earlier.begin(), Earlier.end(),
 				   [&Error](const FDiagnostic& Each)
 				   { return Each.Code == 6010 && Each.File == Error.File && Each.Line == Error.Line; });

@@ -112,7 +112,7 @@ const std::string* FFlattener::FindFile(const std::string& Path)
 				Result.Files.push_back(Real);
 			}
 		}
-		else if (Path.rfind("/Engine/Generated/", 0) != 0) // nobody generated it: there is nothing to declare
+		else if (!Path.starts_with("/Engine/Generated/")) // nobody generated it: there is nothing to declare
 		{
 			return nullptr;
 		}
@@ -282,7 +282,7 @@ FShaderSource FlattenShader(const FShaderCompileRequest& Request)
 
 std::string NormalizeShaderText(const std::string& Bytes)
 {
-	size_t i = Bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
+	size_t i = Bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 
 	// Valid UTF-8 has no ASCII byte inside a character, so only other encodings need their byte pairs taken together.
 	bool bUtf8 = true;

@@ -1,7 +1,8 @@
 // Evaluates the expressions of #if.
 #include "ShaderCondition.h"
 
-#include <cctype>
+#include "TextTools.h"
+
 #include <cstdlib>
 
 namespace Drydock
@@ -177,7 +178,7 @@ private:
 		const uint64_t Value = std::strtoull(Text.c_str(), &End, 0);
 		for (; *End; ++End)
 		{
-			const char Suffix = char(std::tolower(static_cast<unsigned char>(*End)));
+			const char Suffix = ToLowerCase(*End);
 			if (Suffix != 'u' && Suffix != 'l')
 			{
 				return Fail("'" + Text + "' is not an integer");

@@ -356,7 +356,7 @@ void FShaderPreprocessor::AppendDirective(const std::string& Name, const std::st
 	{
 		Error(6002, "#error " + Rest);
 	}
-	else if (Name == "pragma" && Rest.rfind("pack_matrix", 0) == 0)
+	else if (Name == "pragma" && Rest.starts_with("pack_matrix"))
 	{
 		Emit("#pragma " + Rest, Number);
 	}

@@ -1,4 +1,4 @@
-// What the page of a study says: study.json and study_timing.json as they are, and pictures of some variants.
+// The data of a study's page: study.json and study_timing.json as they are, and pictures of some variants.
 import { Panel } from "../chart";
 
 export interface Figures {

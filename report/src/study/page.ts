@@ -93,7 +93,7 @@ export class StudyPanel {
 
 	readonly keys: Record<string, () => void> = { g: () => this.panelsShown.click() };
 
-	/** Of every job; where there is one job, of every error. */
+	/** Draws one panel for every job, or for every error where there is one job. */
 	private drawPanels(): void {
 		const shown = this.panelsShown.getAttribute("aria-pressed") === "true";
 		this.panels.hidden = !shown;

@@ -65,7 +65,7 @@ class OtherTextCorpus : public testing::TestWithParam<FPath>
 class FNamedCorpus : public testing::TestWithParam<FPath>
 {
 protected:
-	bool Is(const char* Kind) const { return GetParam().stem().string().rfind(Kind, 0) == 0; }
+	bool Is(const char* Kind) const { return GetParam().stem().string().starts_with(Kind); }
 };
 
 class ExrCorpus : public FNamedCorpus

@@ -62,7 +62,7 @@ static_assert(!std::is_default_constructible_v<FEffect>);
 /** Settings that drydock brought, so that some effect must read them. */
 bool IsDrydocksOwn(const FSettingField& Field)
 {
-	return std::string(Field.Doc).rfind("drydock:", 0) == 0;
+	return std::string(Field.Doc).starts_with("drydock:");
 }
 
 } // namespace
@@ -119,7 +119,7 @@ TEST(Effects, EveryClaimIsOnSettingsThatExistAndIsMadeOnce)
 			EXPECT_TRUE(Claims.insert(Beginning).second) << Beginning;
 			const auto Fields = GetSettingFields();
 			EXPECT_TRUE(std::any_of(Fields.begin(), Fields.end(),
-				[&](const FSettingField& Field) { return std::string(Field.Name).rfind(Beginning, 0) == 0; }))
+				[&](const FSettingField& Field) { return std::string(Field.Name).starts_with(Beginning); }))
 				<< *Effect->Name << " claims " << Beginning;
 		}
 	}

@@ -252,7 +252,7 @@ TEST(RunPasses, UnreadResultIsCulled)
 	const FRunResult Result = RunWith(R"("passes": [{"type": "Tint", "at": "MotionBlur", "replace": false}])");
 	const auto& Passes = Result.Graph.Passes;
 	const auto Tint = std::find_if(Passes.begin(), Passes.end(),
-		[](const FRDGCompiledPass& Compiled) { return Compiled.Name.find("Tint ") == 0; });
+		[](const FRDGCompiledPass& Compiled) { return Compiled.Name.starts_with("Tint "); });
 	ASSERT_NE(Passes.end(), Tint);
 	EXPECT_TRUE(Tint->bCulled);
 }

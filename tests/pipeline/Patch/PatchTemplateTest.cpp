@@ -113,8 +113,7 @@ TEST_F(PatchTemplate, SourcesAndShadersAreTheEnginesAlone)
 			EXPECT_TRUE(
 				Contains(File.Text, "#ifndef DRYDOCK\n#define DrydockPrint(...)\n#define DrydockAssert(...)\n#endif"));
 		}
-		else if (File.Path.rfind("Source/", 0) == 0 || File.Path.rfind("Shaders/", 0) == 0 ||
-				 File.Path == "Rain.uplugin")
+		else if (File.Path.starts_with("Source/") || File.Path.starts_with("Shaders/") || File.Path == "Rain.uplugin")
 		{
 			EXPECT_FALSE(Contains(File.Text, "rydock")) << File.Path;
 			EXPECT_FALSE(Contains(File.Text, "DRYDOCK")) << File.Path;

@@ -71,7 +71,7 @@ int64_t GetPeakKilobytes()
 	std::ifstream Status("/proc/self/status");
 	for (std::string Line; std::getline(Status, Line);)
 	{
-		if (Line.rfind("VmHWM:", 0) == 0)
+		if (Line.starts_with("VmHWM:"))
 		{
 			return std::atoll(Line.c_str() + 6);
 		}

@@ -136,8 +136,7 @@ TEST_F(TerminalProgram, TheBareProgramNamesAllVerbsOnALineEach)
 		{
 			const auto Names = [&Verb](const std::string& Line)
 			{
-				return Line.rfind("  " + Verb.Name + " ", 0) == 0 &&
-					   Line.find(Verb.Doc) == Line.size() - Verb.Doc.size();
+				return Line.starts_with("  " + Verb.Name + " ") && Line.find(Verb.Doc) == Line.size() - Verb.Doc.size();
 			};
 			EXPECT_EQ(1, std::count_if(Lines.begin(), Lines.end(), Names)) << Verb.Name << "\n" << Outcome.Printed;
 		}

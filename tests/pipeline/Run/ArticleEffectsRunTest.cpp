@@ -34,7 +34,7 @@ int FindPass(const FRunResult& Result, const std::string& Begin)
 {
 	const auto& Passes = Result.Graph.Passes;
 	const auto Found = std::find_if(
-		Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name.rfind(Begin, 0) == 0; });
+		Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name.starts_with(Begin); });
 	return Found == Passes.end() ? -1 : static_cast<int>(Found - Passes.begin());
 }
 
@@ -200,7 +200,7 @@ TEST(ArticleEffectsRun, EveryPassOfTheEffectsRunsAtEveryHook)
 		for (const FPassFactory* Factory : GetPassFactories())
 		{
 			if (std::none_of(Prefixes.begin(), Prefixes.end(),
-					[&](const std::string& Prefix) { return Factory->Type.rfind(Prefix, 0) == 0; }))
+					[&](const std::string& Prefix) { return Factory->Type.starts_with(Prefix); }))
 			{
 				continue;
 			}
@@ -220,7 +220,7 @@ TEST(ArticleEffectsRun, EveryPassOfTheEffectsRunsAtEveryHook)
 			RunText("", std::string(R"(, "engine": ")") + Engine + R"(", "passes": [)" + Passes + "]");
 		EXPECT_EQ(19, NumPasses);
 		const auto NumGlows = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
-			[](const FRDGCompiledPass& Pass) { return Pass.Name.rfind("RED.Glow", 0) == 0; });
+			[](const FRDGCompiledPass& Pass) { return Pass.Name.starts_with("RED.Glow"); });
 		EXPECT_EQ(NumPasses + 1, NumGlows) << Hook; // the glow is one of the passes itself
 		const FImage ResultFinal = Result.Final.ToImage();
 		EXPECT_TRUE(std::all_of(ResultFinal.Values.begin(), ResultFinal.Values.end(),

@@ -107,7 +107,7 @@ TEST(EffectOfPass, APassKnowsThePixelsThatItDraws)
 {
 	for (const FRDGCompiledPass& Pass : RunShipped("toon_bloom.json", false).Graph.Passes)
 	{
-		if (Pass.Name.rfind("Tonemap", 0) == 0)
+		if (Pass.Name.starts_with("Tonemap"))
 		{
 			EXPECT_GT(Pass.Area.X, 0) << Pass.Name;
 			EXPECT_NE(

@@ -44,7 +44,7 @@ FRunResult RunBoxes(const std::string& View, const std::string& Settings,
 bool HasPass(const FRunResult& Result, const std::string& Begin)
 {
 	return std::any_of(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
-		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.rfind(Begin, 0) == 0; });
+		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.starts_with(Begin); });
 }
 
 std::string GetReason(const FRunResult& Result, const std::string& Name)

@@ -34,7 +34,7 @@ FRunResult RunFFT(const std::string& Settings, const std::vector<std::string>& V
 bool HasPass(const FRDGCompiledGraph& Graph, const std::string& Begin)
 {
 	return std::any_of(Graph.Passes.begin(), Graph.Passes.end(),
-		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.rfind(Begin, 0) == 0; });
+		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.starts_with(Begin); });
 }
 
 /** A file with a kernel of 5 x 3 texels, while it lives. */

@@ -71,7 +71,7 @@ bool AreSameBits(const FPicture& PictureA, const FPicture& PictureB)
 bool SamplesBetweenTexels(const std::string& Config)
 {
 	return Config == "film_look" || Config == "fxaa" || Config == "screen_percentage" || Config == "frame_full" ||
-		   Config.rfind("study_", 0) == 0;
+		   Config.starts_with("study_");
 }
 
 /** The same bits; where a config samples between texels, the same 8-bit codes give or take one, in one of 1000 values.

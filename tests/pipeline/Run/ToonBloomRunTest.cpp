@@ -37,7 +37,7 @@ double GetBleed(const FRunResult& Result, const char* Side)
 bool HasPass(const FRunResult& Result, const std::string& Begin)
 {
 	return std::any_of(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
-		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.rfind(Begin, 0) == 0; });
+		[&](const FRDGCompiledPass& Pass) { return !Pass.bCulled && Pass.Name.starts_with(Begin); });
 }
 
 std::vector<std::string> GetDecoded(const FRunResult& Result)
@@ -63,7 +63,7 @@ TEST(ToonBloomRun, BringsTheSetupPassAndReadsTheIdsOnly)
 	EXPECT_TRUE(HasPass(Result, "ToonBloomMask"));
 	EXPECT_EQ((std::vector<std::string>{"A", "B", "G", "R", "shadingmodel.ID"}), GetDecoded(Result));
 	const std::string Reason = FindEffect(Result, "ToonBloom").Reason;
-	EXPECT_EQ(0u, Reason.rfind("BloomToonIntensity is 0.1: it brings the setup pass into the graph; toon in ", 0))
+	EXPECT_TRUE(Reason.starts_with("BloomToonIntensity is 0.1: it brings the setup pass into the graph; toon in "))
 		<< Reason;
 }
 

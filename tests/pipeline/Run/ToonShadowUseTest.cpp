@@ -261,7 +261,7 @@ std::vector<std::string> ReadRow(const std::string& Begin)
 	std::ifstream Page(DRYDOCK_TEST_SOURCE_DIR "/docs/effects.md");
 	for (std::string Line; std::getline(Page, Line);)
 	{
-		if (Line.rfind(Begin, 0) == 0)
+		if (Line.starts_with(Begin))
 		{
 			std::istringstream Text(Line.substr(2));
 			std::vector<std::string> Cells;
@@ -309,7 +309,7 @@ TEST(ToonShadowUse, PageHasTheCostOfTheSample)
 	double Taps = 0.0, Bytes = 0.0;
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		if (Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.rfind("ToonShadow", 0) == 0)
+		if (Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name.starts_with("ToonShadow"))
 		{
 			++NumPasses;
 			Taps += static_cast<double>(Pass.Taps.value());

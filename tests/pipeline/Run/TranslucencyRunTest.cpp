@@ -119,7 +119,7 @@ int FindPass(const FRunResult& Result, const std::string& Begin)
 {
 	const auto& Passes = Result.Graph.Passes;
 	const auto Found = std::find_if(
-		Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name.rfind(Begin, 0) == 0; });
+		Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name.starts_with(Begin); });
 	return Found == Passes.end() ? -1 : static_cast<int>(Found - Passes.begin());
 }
 

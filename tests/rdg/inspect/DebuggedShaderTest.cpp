@@ -306,7 +306,7 @@ TEST(DebuggedShader, ItsFilesAreGoneWithIt)
 		int Folders = 0;
 		for (const auto& Entry : std::filesystem::directory_iterator(GetTemporaryParent()))
 		{
-			Folders += Entry.path().filename().string().rfind(Mine, 0) == 0;
+			Folders += Entry.path().filename().string().starts_with(Mine);
 		}
 		return Folders;
 	};

@@ -59,6 +59,101 @@ uint32_t GetMemoryId(const FSpirvModule& Module, uint32_t Id)
 		->Id;
 }
 
+using FPointers = std::unordered_map<uint32_t, const FSpirvInstruction*>;
+
+template<typename TVisit>
+void ForEachInstruction(const FSpirvModule& Module, TVisit Visit)
+{
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			Visit(I);
+		}
+	}
+}
+
+/** Instructions whose results lead to a variable, by result. */
+FPointers FindPointers(const FSpirvModule& Module)
+{
+	FPointers Pointers;
+	ForEachInstruction(Module,
+		[&](const FSpirvInstruction& I)
+		{
+			if (IsChain(I.Op) || I.Op == OpLoad)
+			{
+				Pointers[I.Result] = &I;
+			}
+		});
+	return Pointers;
+}
+
+/** Values that some instruction uses. A literal that looks like an id is a use too many. */
+std::set<uint32_t> FindUsedValues(const FSpirvModule& Module)
+{
+	std::set<uint32_t> Used;
+	// Scope and semantics of an atomic are constants, never its neighbours' results.
+	ForEachInstruction(Module, [&](const FSpirvInstruction& I) { Used.insert(I.Operands.begin(), I.Operands.end()); });
+	return Used;
+}
+
+/** The memory that atomics change, by the variable that stands for it. */
+struct FAtomicMemory
+{
+	std::map<uint32_t, FSharedMemory> Resources; // buffers and textures
+	std::map<uint32_t, FSharedMemory> Groupshared;
+	bool bOrderSeen = false; // somewhere
+};
+
+FAtomicMemory FindAtomicMemory(const FSpirvModule& Module, const FPointers& Pointers, const std::set<uint32_t>& Used)
+{
+	FAtomicMemory Found;
+	ForEachInstruction(Module,
+		[&](const FSpirvInstruction& I)
+		{
+			if (!IsSpirvAtomic(I.Op))
+			{
+				return;
+			}
+			const bool bSeen = Used.count(I.Result) || !Commutes(I.Op);
+			Found.bOrderSeen = Found.bOrderSeen || bSeen;
+			if (const FSpirvVariable* const Variable = FindAtomicVariable(Module, I, Pointers))
+			{
+				const bool bGroupshared = Variable->Storage == StorageWorkgroup;
+				FSharedMemory& Shared =
+					(bGroupshared ? Found.Groupshared : Found.Resources)[GetMemoryId(Module, Variable->Id)];
+				Shared.Kinds.insert(GetKind(I.Op));
+				Shared.Widths.insert(GetSpirvBytes(Module.GetType(Module.GetValueType(I.Operands[0]).Element).Kind));
+				Shared.bOrderSeen = Shared.bOrderSeen || bSeen;
+			}
+		});
+	return Found;
+}
+
+/** The memory that plain loads and stores reach, by the variable that stands for it. */
+std::set<uint32_t> FindPlainMemory(const FSpirvModule& Module, const FPointers& Pointers)
+{
+	std::set<uint32_t> Found;
+	ForEachInstruction(Module,
+		[&](const FSpirvInstruction& I)
+		{
+			const bool bHandle = I.Op == OpLoad && Module.GetType(I.Type).NumScalars == 0;
+			const bool bReads = (I.Op == OpLoad && !bHandle) || I.Op == OpImageRead;
+			if ((bReads || I.Op == OpStore || I.Op == OpImageWrite) && !I.Operands.empty())
+			{
+				const auto Pointer = Pointers.find(I.Operands[0]);
+				Found.insert(
+					GetMemoryId(Module, Pointer == Pointers.end() ? I.Operands[0] : Pointer->second->Operands[0]));
+			}
+		});
+	return Found;
+}
+
+bool IsWaveInput(const FSpirvVariable& Variable)
+{
+	return Variable.BuiltIn == BuiltInSubgroupSize || Variable.BuiltIn == BuiltInSubgroupLocalInvocationId;
+}
+
 } // namespace
 
 const FSpirvVariable* FindAtomicVariable(const FSpirvModule& Module, const FSpirvInstruction& Atomic,
@@ -70,83 +165,36 @@ const FSpirvVariable* FindAtomicVariable(const FSpirvModule& Module, const FSpir
 
 FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 {
+	const FPointers Pointers = FindPointers(Module);
+	const std::set<uint32_t> Used = FindUsedValues(Module);
+	const FAtomicMemory Atomics = FindAtomicMemory(Module, Pointers, Used);
+	const std::set<uint32_t> Plain = FindPlainMemory(Module, Pointers);
 	FSpirvGroupUse Use;
-	std::unordered_map<uint32_t, const FSpirvInstruction*> Pointers;
-	std::set<uint32_t> Used; // values; a literal that looks like an id is a use too many
-	for (const FSpirvBlock& Block : Module.Blocks)
+	for (const auto& [Variable, Shared] : Atomics.Resources)
 	{
-		for (const FSpirvInstruction& I : Block.Instructions)
-		{
-			if (IsChain(I.Op) || I.Op == OpLoad)
-			{
-				Pointers[I.Result] = &I;
-			}
-			// Scope and semantics of an atomic are constants, never its neighbours' results.
-			Used.insert(I.Operands.begin(), I.Operands.end());
-			Use.bGroups = Use.bGroups || I.Op == OpControlBarrier;
-			Use.bWaves = Use.bWaves || (IsSpirvWave(I.Op) && Module.ExecutionModel != ExecutionModelFragment);
-		}
-	}
-	std::map<uint32_t, FSharedMemory> Memory; // by variable
-	std::map<uint32_t, FSharedMemory> Groupshared;
-	for (const FSpirvBlock& Block : Module.Blocks)
-	{
-		for (const FSpirvInstruction& I : Block.Instructions)
-		{
-			if (!IsSpirvAtomic(I.Op))
-			{
-				continue;
-			}
-			const bool bSeen = Used.count(I.Result) || !Commutes(I.Op);
-			Use.bWaves = Use.bWaves || bSeen;
-			if (const FSpirvVariable* const Variable = FindAtomicVariable(Module, I, Pointers))
-			{
-				const bool bGroupshared = Variable->Storage == StorageWorkgroup;
-				FSharedMemory& Shared = (bGroupshared ? Groupshared : Memory)[GetMemoryId(Module, Variable->Id)];
-				Shared.Kinds.insert(GetKind(I.Op));
-				Shared.Widths.insert(GetSpirvBytes(Module.GetType(Module.GetValueType(I.Operands[0]).Element).Kind));
-				Shared.bOrderSeen = Shared.bOrderSeen || bSeen;
-				Use.bWaves = Use.bWaves || (bGroupshared && Shared.Kinds.size() > 1);
-			}
-		}
-	}
-	for (const FSpirvBlock& Block : Module.Blocks)
-	{
-		for (const FSpirvInstruction& I : Block.Instructions)
-		{
-			const bool bReads = I.Op == OpLoad || I.Op == OpImageRead;
-			const bool bPlain = bReads || I.Op == OpStore || I.Op == OpImageWrite;
-			if (!bPlain || I.Operands.empty())
-			{
-				continue;
-			}
-			const auto Pointer = Pointers.find(I.Operands[0]);
-			const bool bHandle = I.Op == OpLoad && Module.GetType(I.Type).NumScalars == 0;
-			const auto Known = Memory.find(
-				GetMemoryId(Module, Pointer == Pointers.end() ? I.Operands[0] : Pointer->second->Operands[0]));
-			if (Known != Memory.end() && !bHandle)
-			{
-				Known->second.bOrderSeen = true;
-			}
-		}
-	}
-	for (const auto& [Variable, Shared] : Memory)
-	{
-		const bool bCommutes = !Shared.bOrderSeen && Shared.Kinds.size() == 1 && Shared.Widths.size() == 1;
+		const bool bOrderSeen = Shared.bOrderSeen || Plain.count(Variable);
+		const bool bCommutes = !bOrderSeen && Shared.Kinds.size() == 1 && Shared.Widths.size() == 1;
 		Use.bInOrder = Use.bInOrder || !bCommutes;
 		if (bCommutes)
 		{
 			Use.Commuting[Variable] = *Shared.Kinds.begin();
 		}
 	}
+	Use.bWaves = Atomics.bOrderSeen || Use.bInOrder ||
+				 std::any_of(Atomics.Groupshared.begin(), Atomics.Groupshared.end(),
+					 [](const auto& Entry) { return Entry.second.Kinds.size() > 1; });
+	ForEachInstruction(Module,
+		[&](const FSpirvInstruction& I)
+		{
+			Use.bGroups = Use.bGroups || I.Op == OpControlBarrier;
+			Use.bWaves = Use.bWaves || (IsSpirvWave(I.Op) && Module.ExecutionModel != ExecutionModelFragment);
+		});
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
-		const bool bWaveInput =
-			Variable.BuiltIn == BuiltInSubgroupSize || Variable.BuiltIn == BuiltInSubgroupLocalInvocationId;
-		Use.bGroups = Use.bGroups || (Variable.Storage == StorageWorkgroup && Used.count(Variable.Id));
-		Use.bWaves = Use.bWaves || (bWaveInput && Used.count(Variable.Id));
+		const bool bUsed = Used.count(Variable.Id) != 0;
+		Use.bGroups = Use.bGroups || (Variable.Storage == StorageWorkgroup && bUsed);
+		Use.bWaves = Use.bWaves || (IsWaveInput(Variable) && bUsed);
 	}
-	Use.bWaves = Use.bWaves || Use.bInOrder;
 	Use.bGroups = Use.bGroups || Use.bWaves;
 	return Use;
 }

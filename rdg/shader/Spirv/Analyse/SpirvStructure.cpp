@@ -83,6 +83,67 @@ void FindExits(const FSpirvModule& Module, FStructRegion& Region)
 	}
 }
 
+/** The cases in the order in which the instruction names their labels; values that lead to one label are one case. */
+std::vector<FStructCase> ListCases(const FSpirvInstruction& Switch)
+{
+	std::vector<FStructCase> Cases;
+	const auto CaseOf = [&Cases](uint32_t Label) -> FStructCase&
+	{
+		const auto Known =
+			std::find_if(Cases.begin(), Cases.end(), [Label](const FStructCase& Case) { return Case.Label == Label; });
+		return Known == Cases.end() ? Cases.emplace_back(FStructCase{Label, {}, false}) : *Known;
+	};
+	CaseOf(Switch.Operands[1]).bDefault = true;
+	for (size_t i = 2; i + 1 < Switch.Operands.size(); i += 2)
+	{
+		CaseOf(Switch.Operands[i + 1]).Values.push_back(Switch.Operands[i]);
+	}
+	return Cases;
+}
+
+/** A case of a switch with all that is in it. */
+struct FBuiltCase
+{
+	FStructRegion Region;
+	std::vector<size_t> FallsInto; // indices of other cases
+};
+
+/** The order in which a case that falls through comes before the one that it falls into; cases in a circle are left
+ * out. */
+std::vector<size_t> OrderCases(const std::vector<FBuiltCase>& Cases)
+{
+	std::vector<size_t> NumBefore(Cases.size(), 0);
+	for (const FBuiltCase& Case : Cases)
+	{
+		for (const size_t Into : Case.FallsInto)
+		{
+			++NumBefore[Into];
+		}
+	}
+	std::set<size_t> Ready; // the first of them comes next
+	for (size_t i = 0; i < Cases.size(); ++i)
+	{
+		if (NumBefore[i] == 0)
+		{
+			Ready.insert(i);
+		}
+	}
+	std::vector<size_t> Order;
+	while (!Ready.empty())
+	{
+		Order.push_back(*Ready.begin());
+		Ready.erase(Ready.begin());
+		for (const size_t Into : Cases[Order.back()].FallsInto)
+		{
+			if (--NumBefore[Into] == 0)
+			{
+				Ready.insert(Into);
+			}
+		}
+	}
+	return Order;
+}
+
 class FBuilder
 {
 public:
@@ -105,6 +166,8 @@ private:
 	uint32_t AddLoop(FStructRegion& Region, const FSpirvBlock& Header);
 	uint32_t AddConditional(FStructRegion& Region, const FSpirvBlock& Block);
 	uint32_t AddSwitch(FStructRegion& Region, const FSpirvBlock& Block);
+	void CheckSwitch(const FSpirvBlock& Block) const;
+	FBuiltCase BuildCase(const FSpirvBlock& Block, const std::vector<FStructCase>& Cases, size_t Index);
 	/** The edge From -> To and, unless To is open, what follows there. */
 	void AddBranch(FStructRegion& Region, uint32_t From, uint32_t To, uint32_t Follow);
 	/** Only the edge; true when To is open, so that the region ends here. */
@@ -269,7 +332,7 @@ uint32_t FBuilder::AddConditional(FStructRegion& Region, const FSpirvBlock& Bloc
 	return Next;
 }
 
-uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
+void FBuilder::CheckSwitch(const FSpirvBlock& Block) const
 {
 	const FSpirvInstruction& Terminator = Block.Terminator();
 	if (!Block.Merge || Block.IsLoopHeader() || IsOpen(Block.Merge))
@@ -281,111 +344,77 @@ uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
 		Module.FailLimit(SpirvLimits::MaxOpenLabels, "cases in a switch and those around it",
 			"read a table (a static const array, a buffer) instead", &Terminator);
 	}
+}
+
+FBuiltCase FBuilder::BuildCase(const FSpirvBlock& Block, const std::vector<FStructCase>& Cases, size_t Index)
+{
+	const uint32_t Label = Cases[Index].Label;
+	const std::set<uint32_t> ReachedBefore = std::exchange(Reached, {});
+	FBuiltCase Built;
+	Built.Region.Follow = Block.Merge;
+	FStructNode Edge;
+	Edge.Kind = EStructNode::Edge;
+	Edge.From = Block.Label;
+	Edge.To = Label;
+	Built.Region.Nodes.push_back(std::move(Edge));
+	if (Label == Block.Merge)
+	{
+		Reached.insert(Label);
+	}
+	else
+	{
+		AddRegion(Built.Region, Label, Block.Merge);
+	}
+	for (size_t i = 0; i < Cases.size(); ++i)
+	{
+		if (i != Index && Cases[i].Label != Block.Merge && Reached.count(Cases[i].Label))
+		{
+			Built.FallsInto.push_back(i);
+		}
+	}
+	Reached.insert(ReachedBefore.begin(), ReachedBefore.end());
+	return Built;
+}
+
+uint32_t FBuilder::AddSwitch(FStructRegion& Region, const FSpirvBlock& Block)
+{
+	CheckSwitch(Block);
+	const FSpirvInstruction& Terminator = Block.Terminator();
+	const std::vector<FStructCase> Cases = ListCases(Terminator);
+	const size_t NumOpen = Open.size();
+	Push({Block.Merge, 0, false});
+	for (const FStructCase& Case : Cases)
+	{
+		if (Case.Label != Block.Merge)
+		{
+			Push({Case.Label, 0, false});
+		}
+	}
+	Result.OpenLabels[Block.Label] = Open;
+	std::vector<FBuiltCase> Built;
+	for (size_t i = 0; i < Cases.size(); ++i)
+	{
+		Built.push_back(BuildCase(Block, Cases, i));
+	}
+	Pop(Open.size() - NumOpen);
+
+	const std::vector<size_t> Order = OrderCases(Built);
+	if (Order.size() < Cases.size())
+	{
+		Module.Fail("SPIR-V: the cases of a switch fall through in a circle", &Terminator);
+	}
 	FStructNode Node;
 	Node.Kind = EStructNode::Switch;
 	Node.Label = Block.Label;
 	Node.Value = Terminator.Operands[0];
 	Node.Merge = Block.Merge;
-
-	const auto CaseOf = [&Node](uint32_t Label) -> FStructCase&
+	for (const size_t Index : Order)
 	{
-		const auto Known = std::find_if(
-			Node.Cases.begin(), Node.Cases.end(), [Label](const FStructCase& Case) { return Case.Label == Label; });
-		if (Known != Node.Cases.end())
-		{
-			return *Known;
-		}
-		Node.Cases.push_back({Label, {}, false});
-		return Node.Cases.back();
-	};
-	CaseOf(Terminator.Operands[1]).bDefault = true;
-	for (size_t i = 2; i + 1 < Terminator.Operands.size(); i += 2)
-	{
-		CaseOf(Terminator.Operands[i + 1]).Values.push_back(Terminator.Operands[i]);
+		Node.Cases.push_back(Cases[Index]);
+		Node.Regions.push_back(std::move(Built[Index].Region));
 	}
-
-	Push({Block.Merge, 0, false});
-	size_t Pushed = 1;
-	for (const FStructCase& Case : Node.Cases)
-	{
-		if (Case.Label != Block.Merge)
-		{
-			Push({Case.Label, 0, false});
-			++Pushed;
-		}
-	}
-	Result.OpenLabels[Block.Label] = Open;
-	// A case that falls through must come before the one it falls into.
-	std::map<uint32_t, size_t> CaseIndex;
-	for (size_t i = 0; i < Node.Cases.size(); ++i)
-	{
-		CaseIndex[Node.Cases[i].Label] = i;
-	}
-	std::vector<FStructRegion> Regions(Node.Cases.size());
-	std::vector<std::vector<size_t>> FallsInto(Node.Cases.size());
-	std::vector<size_t> NumBefore(Node.Cases.size(), 0);
-	for (size_t i = 0; i < Node.Cases.size(); ++i)
-	{
-		const uint32_t Label = Node.Cases[i].Label;
-		const std::set<uint32_t> ReachedBefore = std::exchange(Reached, {});
-		Regions[i].Follow = Block.Merge;
-		FStructNode Edge;
-		Edge.Kind = EStructNode::Edge;
-		Edge.From = Block.Label;
-		Edge.To = Label;
-		Regions[i].Nodes.push_back(std::move(Edge));
-		if (Label == Block.Merge)
-		{
-			Reached.insert(Label);
-		}
-		else
-		{
-			AddRegion(Regions[i], Label, Block.Merge);
-		}
-		for (const uint32_t To : Reached)
-		{
-			const auto Into = CaseIndex.find(To);
-			if (Into != CaseIndex.end() && Into->second != i && To != Block.Merge)
-			{
-				FallsInto[i].push_back(Into->second);
-				++NumBefore[Into->second];
-			}
-		}
-		Reached.insert(ReachedBefore.begin(), ReachedBefore.end());
-	}
-	Pop(Pushed);
-
-	std::set<size_t> Ready; // the first of them comes next
-	for (size_t i = 0; i < Node.Cases.size(); ++i)
-	{
-		if (NumBefore[i] == 0)
-		{
-			Ready.insert(i);
-		}
-	}
-	std::vector<FStructCase> Ordered;
-	while (!Ready.empty())
-	{
-		const size_t Next = *Ready.begin();
-		Ready.erase(Ready.begin());
-		Ordered.push_back(Node.Cases[Next]);
-		Node.Regions.push_back(std::move(Regions[Next]));
-		for (const size_t Into : FallsInto[Next])
-		{
-			if (--NumBefore[Into] == 0)
-			{
-				Ready.insert(Into);
-			}
-		}
-	}
-	if (Ordered.size() < Node.Cases.size())
-	{
-		Module.Fail("SPIR-V: the cases of a switch fall through in a circle", &Terminator);
-	}
-	Node.Cases = std::move(Ordered);
-	const uint32_t Next = Reached.count(Block.Merge) ? Block.Merge : 0;
 	Region.Nodes.push_back(std::move(Node));
-	return Next;
+	return Reached.count(Block.Merge) ? Block.Merge : 0;
 }
 
 } // namespace

@@ -24,6 +24,78 @@ bool FSpirvUniformity::IsAnyVarying(uint32_t Value) const
 	return Found != Varying.end() && std::find(Found->second.begin(), Found->second.end(), true) != Found->second.end();
 }
 
+namespace
+{
+
+/** The ways of control from a block to open labels, which are named by index. */
+struct FWays
+{
+	std::set<size_t> Ends;
+	std::set<uint32_t> Blocks;
+};
+
+/** Labels further in than Stop are walked through. */
+FWays FollowWays(
+	const FSpirvModule& Module, uint32_t Start, const std::unordered_map<uint32_t, size_t>& Open, size_t Stop)
+{
+	FWays Ways;
+	std::vector<uint32_t> Work{Start};
+	while (!Work.empty())
+	{
+		const uint32_t Current = Work.back();
+		Work.pop_back();
+		const auto Entry = Open.find(Current);
+		if (Entry != Open.end())
+		{
+			Ways.Ends.insert(Entry->second);
+		}
+		if ((Entry == Open.end() || Entry->second > Stop) && Ways.Blocks.insert(Current).second)
+		{
+			const std::vector<uint32_t> Next = GetSuccessors(Module.GetBlock(Current).Terminator());
+			Work.insert(Work.end(), Next.begin(), Next.end());
+		}
+	}
+	return Ways;
+}
+
+/** The ways of lanes that part at a branch, until they meet again. */
+struct FSpread : FWays
+{
+	size_t Join = 0;     // the open label at which they meet: the outermost that any of them can reach
+	size_t NumToOwn = 0; // ways that lead to the branch's own merge block
+};
+
+/** Own is the index of the branch's own merge block, or the number of open labels if it has none. */
+FSpread FindSpread(
+	const FSpirvModule& Module, const FSpirvBlock& Branch, const std::vector<FOpenLabel>& Open, size_t Own)
+{
+	std::unordered_map<uint32_t, size_t> IndexOf; // a label may be open twice: the outer one counts
+	for (size_t i = 0; i < Open.size(); ++i)
+	{
+		IndexOf.emplace(Open[i].Label, i);
+	}
+	FSpread Spread;
+	Spread.Join = Open.size();
+	for (bool bAgain = true; bAgain;)
+	{
+		const size_t Stop = Spread.Join;
+		Spread.Blocks.clear();
+		Spread.NumToOwn = 0;
+		for (const uint32_t Successor : GetSuccessors(Branch.Terminator()))
+		{
+			const FWays Ways = FollowWays(Module, Successor, IndexOf, Stop);
+			Spread.Ends.insert(Ways.Ends.begin(), Ways.Ends.end());
+			Spread.Blocks.insert(Ways.Blocks.begin(), Ways.Blocks.end());
+			Spread.NumToOwn += Ways.Ends.count(Own);
+		}
+		Spread.Join = Spread.Ends.empty() ? Stop : *Spread.Ends.begin();
+		bAgain = Spread.Join != Stop && Spread.Join != Own;
+	}
+	return Spread;
+}
+
+} // namespace
+
 class FUniformityAnalysis
 {
 public:
@@ -312,87 +384,35 @@ void FUniformityAnalysis::SpreadDivergence(uint32_t Label)
 		return;
 	}
 	const FSpirvBlock& Block = Module.GetBlock(Label);
-	const std::vector<uint32_t> Successors = GetSuccessors(Block.Terminator());
 	std::vector<FOpenLabel> Open = Found->second;
-	size_t Own = Open.size(); // index of the branch's own merge block, if it has one
-	for (size_t i = 0; i < Open.size(); ++i)
+	const auto IsOwn = [&Block](const FOpenLabel& Entry)
 	{
-		if (Block.Merge && !Block.IsLoopHeader() && Open[i].Label == Block.Merge)
-		{
-			Own = i;
-			Open.resize(i + 1); // what follows are the cases of this very switch
-		}
-	}
+		return Block.Merge && !Block.IsLoopHeader() && Entry.Label == Block.Merge;
+	};
+	const size_t Own = size_t(std::find_if(Open.begin(), Open.end(), IsOwn) - Open.begin());
+	Open.resize(std::min(Own + 1, Open.size())); // what follows are the cases of this very switch
 	if (Block.Terminator().Op == OpSwitch)
 	{
-		for (const uint32_t Case : Successors)
+		for (const uint32_t Case : GetSuccessors(Block.Terminator()))
 		{
 			Insert(Result.DivergentJoins, Case); // by falling through
 		}
 	}
-
-	std::unordered_map<uint32_t, size_t> IndexOf; // a label may be open twice: the outer one counts
-	for (size_t i = 0; i < Open.size(); ++i)
+	const FSpread Spread = FindSpread(Module, Block, Open, Own);
+	for (const uint32_t Inside : Spread.Blocks)
 	{
-		IndexOf.emplace(Open[i].Label, i);
+		Insert(Result.DivergentBlocks, Inside);
 	}
-
-	// The lanes meet again at the outermost label that any of them can reach.
-	size_t Join = Open.size();
-	std::set<size_t> Hit;
-	std::set<uint32_t> Visited;
-	size_t SuccessorsToOwn = 0;
-	for (bool bAgain = true; bAgain;)
-	{
-		const size_t Stop = Join;
-		Visited.clear();
-		SuccessorsToOwn = 0;
-		for (const uint32_t Successor : Successors)
-		{
-			std::set<uint32_t> Seen;
-			std::vector<uint32_t> Work{Successor};
-			bool bReachedOwn = false;
-			while (!Work.empty())
-			{
-				const uint32_t Current = Work.back();
-				Work.pop_back();
-				const auto Entry = IndexOf.find(Current);
-				if (Entry != IndexOf.end())
-				{
-					const size_t Index = Entry->second;
-					Hit.insert(Index);
-					Join = std::min(Join, Index);
-					bReachedOwn = bReachedOwn || Index == Own;
-					if (Stop == Open.size() || Index <= Stop)
-					{
-						continue;
-					}
-				}
-				if (Seen.insert(Current).second)
-				{
-					const std::vector<uint32_t> Next = GetSuccessors(Module.GetBlock(Current).Terminator());
-					Work.insert(Work.end(), Next.begin(), Next.end());
-				}
-			}
-			SuccessorsToOwn += bReachedOwn;
-			Visited.insert(Seen.begin(), Seen.end());
-		}
-		bAgain = Join != Stop && Join != Own;
-	}
-	for (const uint32_t Block_ : Visited)
-	{
-		Insert(Result.DivergentBlocks, Block_);
-	}
-	for (const size_t Index : Hit)
+	for (const size_t Index : Spread.Ends)
 	{
 		const bool bBackEdge = Open[Index].Label == Open[Index].Loop;
-		const bool bOneWayOnly = Index == Own && Join == Own && SuccessorsToOwn < 2;
+		const bool bOneWayOnly = Index == Own && Spread.Join == Own && Spread.NumToOwn < 2;
 		if (!bBackEdge && !bOneWayOnly)
 		{
 			Insert(Result.DivergentJoins, Open[Index].Label);
 		}
 	}
-	for (size_t i = Join; i < Open.size(); ++i)
+	for (size_t i = Spread.Join; i < Open.size(); ++i)
 	{
 		if (Open[i].bLoopMerge)
 		{

@@ -8,9 +8,45 @@ namespace Drydock
 
 using namespace Spirv;
 
-bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
+void FSpirvEmitter::EmitDynamicExtract(const FSpirvInstruction& I)
 {
-	// Moves are free: the result's scalars are the sources' own, unless lanes must keep what uniform code computed.
+	const uint32_t Count = SizeOf(I.Operands[0]);
+	const FEmitScalar Index = Scalar(I.Operands[1], 0);
+	const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
+	bool bVarying = Index.bVarying;
+	for (uint32_t i = 0; i < Count; ++i)
+	{
+		bVarying = bVarying || Scalar(I.Operands[0], i).bVarying;
+	}
+	std::string Text = UseAs(Scalar(I.Operands[0], Count - 1), Kind, bVarying);
+	for (uint32_t i = Count - 1; i-- > 0;)
+	{
+		Text = "Select(" + Use(Index) + " == " + Literal(Index.Kind, i).Text + ", " +
+			   UseAs(Scalar(I.Operands[0], i), Kind, bVarying) + ", " + Text + ")";
+	}
+	Define(I.Result, 0, {Text, Kind, bVarying, -1});
+}
+
+void FSpirvEmitter::EmitDynamicInsert(const FSpirvInstruction& I)
+{
+	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+	{
+		const FEmitScalar Index = Scalar(I.Operands[2], 0);
+		const FEmitScalar New = Scalar(I.Operands[1], 0);
+		const FEmitScalar Old = Scalar(I.Operands[0], i);
+		const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
+		const bool bVarying = Index.bVarying || New.bVarying || Old.bVarying;
+		OperandLevel = EEmitLevel::Tile;
+		const std::string Condition = Use(Index) + " == " + Literal(Index.Kind, i).Text;
+		Define(I.Result, i,
+			{"Select(" + Condition + ", " + UseAs(New, Kind, bVarying) + ", " + UseAs(Old, Kind, bVarying) + ")", Kind,
+				bVarying, -1});
+	}
+}
+
+/** The scalars that a move makes its result of. Empty: the instruction is not a move. */
+std::optional<std::vector<FEmitScalar>> FSpirvEmitter::ListMoved(const FSpirvInstruction& I)
+{
 	std::vector<FEmitScalar> Parts;
 	switch (I.Op)
 	{
@@ -67,78 +103,58 @@ bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
 		}
 		break;
 	}
-	case OpVectorExtractDynamic:
-	{
-		const uint32_t Count = SizeOf(I.Operands[0]);
-		const FEmitScalar Index = Scalar(I.Operands[1], 0);
-		const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
-		bool bVarying = Index.bVarying;
-		for (uint32_t i = 0; i < Count; ++i)
-		{
-			bVarying = bVarying || Scalar(I.Operands[0], i).bVarying;
-		}
-		std::string Text = UseAs(Scalar(I.Operands[0], Count - 1), Kind, bVarying);
-		for (uint32_t i = Count - 1; i-- > 0;)
-		{
-			Text = "Select(" + Use(Index) + " == " + Literal(Index.Kind, i).Text + ", " +
-				   UseAs(Scalar(I.Operands[0], i), Kind, bVarying) + ", " + Text + ")";
-		}
-		Define(I.Result, 0, {Text, Kind, bVarying, -1});
-		return true;
-	}
-	case OpVectorInsertDynamic:
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			const FEmitScalar Index = Scalar(I.Operands[2], 0);
-			const FEmitScalar New = Scalar(I.Operands[1], 0);
-			const FEmitScalar Old = Scalar(I.Operands[0], i);
-			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
-			const bool bVarying = Index.bVarying || New.bVarying || Old.bVarying;
-			OperandLevel = EEmitLevel::Tile;
-			const std::string Condition = Use(Index) + " == " + Literal(Index.Kind, i).Text;
-			Define(I.Result, i,
-				{"Select(" + Condition + ", " + UseAs(New, Kind, bVarying) + ", " + UseAs(Old, Kind, bVarying) + ")",
-					Kind, bVarying, -1});
-		}
-		return true;
 	default:
-		return false;
+		return {};
 	}
-	for (uint32_t i = 0; i < Parts.size(); ++i)
+	return Parts;
+}
+
+bool FSpirvEmitter::EmitComposite(const FSpirvInstruction& I)
+{
+	if (I.Op == OpVectorExtractDynamic)
 	{
-		if (Uniformity.IsVarying(I.Result, i) && !Parts[i].bVarying)
+		EmitDynamicExtract(I);
+		return true;
+	}
+	if (I.Op == OpVectorInsertDynamic)
+	{
+		EmitDynamicInsert(I);
+		return true;
+	}
+	const std::optional<std::vector<FEmitScalar>> Parts = ListMoved(I);
+	for (uint32_t i = 0; Parts && i < Parts->size(); ++i)
+	{
+		// Moves are free: the result's scalars are the sources' own, unless lanes must keep what uniform code computed.
+		const FEmitScalar& Part = (*Parts)[i];
+		if (Uniformity.IsVarying(I.Result, i) && !Part.bVarying)
 		{
 			OperandLevel = EEmitLevel::Tile;
-			Define(I.Result, i, Parts[i]);
+			Define(I.Result, i, Part);
 			continue;
 		}
 		std::vector<FEmitScalar>& List = Values[I.Result];
 		List.resize(std::max<size_t>(List.size(), i + 1));
-		List[i] = Parts[i];
+		List[i] = Part;
 	}
-	return true;
+	return Parts.has_value();
+}
+
+/** Sums run in ascending order, as Dot and Mul of the lanes do. */
+void FSpirvEmitter::EmitSum(const FSpirvInstruction& I, uint32_t Index, const std::vector<FTerm>& Terms)
+{
+	std::string Text;
+	bool bVarying = false;
+	OperandLevel = EEmitLevel::Tile;
+	for (const FTerm& Term : Terms)
+	{
+		Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);
+		bVarying = bVarying || Term.A.bVarying || Term.B.bVarying;
+	}
+	Define(I.Result, Index, {Text, Module.GetScalarKind(I.Type, 0), bVarying, -1});
 }
 
 bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 {
-	struct FTerm
-	{
-		FEmitScalar A;
-		FEmitScalar B;
-	};
-	// Sums run in ascending order, as Dot and Mul of the lanes do.
-	const auto Sum = [this, &I](uint32_t Index, const std::vector<FTerm>& Terms)
-	{
-		std::string Text;
-		bool bVarying = false;
-		OperandLevel = EEmitLevel::Tile;
-		for (const FTerm& Term : Terms)
-		{
-			Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);
-			bVarying = bVarying || Term.A.bVarying || Term.B.bVarying;
-		}
-		Define(I.Result, Index, {Text, Module.GetScalarKind(I.Type, 0), bVarying, -1});
-	};
 	const uint32_t Size = SizeOf(I.Result);
 	switch (I.Op)
 	{
@@ -146,7 +162,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 	case OpMatrixTimesScalar:
 		for (uint32_t i = 0; i < Size; ++i)
 		{
-			Sum(i, {{Scalar(I.Operands[0], i), Scalar(I.Operands[1], 0)}});
+			EmitSum(I, i, {{Scalar(I.Operands[0], i), Scalar(I.Operands[1], 0)}});
 		}
 		return true;
 	case OpDot:
@@ -160,7 +176,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 			{
 				Terms.push_back({Scalar(I.Operands[0], Row), Scalar(I.Operands[1], Column * Rows + Row)});
 			}
-			Sum(Column, Terms);
+			EmitSum(I, Column, Terms);
 		}
 		return true;
 	}
@@ -177,7 +193,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 				Terms.push_back(
 					{Scalar(I.Operands[0], k * Rows + i % Rows), Scalar(I.Operands[1], i / Rows * Inner + k)});
 			}
-			Sum(i, Terms);
+			EmitSum(I, i, Terms);
 		}
 		return true;
 	}
@@ -186,7 +202,7 @@ bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)
 		const uint32_t Rows = SizeOf(I.Operands[0]);
 		for (uint32_t i = 0; i < Size; ++i)
 		{
-			Sum(i, {{Scalar(I.Operands[0], i % Rows), Scalar(I.Operands[1], i / Rows)}});
+			EmitSum(I, i, {{Scalar(I.Operands[0], i % Rows), Scalar(I.Operands[1], i / Rows)}});
 		}
 		return true;
 	}

@@ -169,17 +169,28 @@ void FSpirvEmitter::EmitEdge(const FStructNode& Node)
 	Line("e = M(false);");
 }
 
-void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
+/** The variables of a phi, which are declared when an edge first hands a value over. */
+const std::vector<FEmitScalar>& FSpirvEmitter::DeclarePhi(const FSpirvInstruction& I, uint32_t Label)
 {
-	struct FCopy
+	std::vector<FEmitScalar>& List = Values[I.Result];
+	const bool bFirst = List.empty();
+	for (uint32_t i = 0; bFirst && i < SizeOf(I.Result); ++i)
 	{
-		std::string Target;
-		std::string Source;
-		std::string Read; // the variable that Source reads
-		bool bMasked;
-	};
-	std::vector<FCopy> Copies;
-	std::set<std::string> Targets;
+		const bool bVarying = Uniformity.IsVarying(I.Result, i);
+		const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
+		const std::string Name = "p" + Number(I.Result) + "_" + Number(i);
+		Declare(TypeName(Kind, bVarying), Name, 0, "{}");
+		// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their value.
+		const auto Around = Structure.Loops.find(Label);
+		Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
+		List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1, EEmitLevel::Pack});
+	}
+	return List;
+}
+
+std::vector<FSpirvEmitter::FPhiCopy> FSpirvEmitter::ListPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
+{
+	std::vector<FPhiCopy> Copies;
 	for (const FSpirvInstruction& I : Module.GetBlock(To).Instructions)
 	{
 		if (I.Op != OpPhi)
@@ -195,53 +206,49 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
 		{
 			Module.Fail("SPIR-V: a phi does not name the block that control comes from", &I);
 		}
-		std::vector<FEmitScalar>& List = Values[I.Result];
-		const bool bFirst = List.empty();
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+		const std::vector<FEmitScalar>& Targets = DeclarePhi(I, To);
+		for (uint32_t i = 0; i < Targets.size(); ++i)
 		{
-			const bool bVarying = Uniformity.IsVarying(I.Result, i);
-			const ESpirvType Kind = Module.GetScalarKind(I.Type, i);
-			const std::string Name = "p" + std::to_string(I.Result) + "_" + std::to_string(i);
-			if (Declared.insert(Name).second)
-			{
-				Declare(TypeName(Kind, bVarying), Name, 0, "{}");
-			}
-			if (bFirst && List.size() == i)
-			{
-				// Declared at the top, but it belongs to the loops around its block: lanes that left them keep their
-				// value.
-				const auto Around = Structure.Loops.find(To);
-				Locals.push_back({Name, 0, Around == Structure.Loops.end() ? std::vector<uint32_t>() : Around->second});
-				List.push_back({Name, Kind, bVarying, int(Locals.size()) - 1, EEmitLevel::Pack});
-			}
-			if (Which != EPhiCopies::All && bVarying != (Which == EPhiCopies::Varying))
+			const FEmitScalar& Target = Targets[i];
+			if (Which != EPhiCopies::All && Target.bVarying != (Which == EPhiCopies::Varying))
 			{
 				continue;
 			}
 			const FEmitScalar Incoming = Scalar(Value, i);
-			const bool bMasked = bVarying && (Uniformity.IsDivergentJoin(To) || Findings.KeptByLanes.count(Name));
-			const std::string Source = UseAs(Incoming, Kind, bVarying);
-			if (Source != Name)
+			const bool bMasked =
+				Target.bVarying && (Uniformity.IsDivergentJoin(To) || Findings.KeptByLanes.count(Target.Text));
+			const std::string Source = UseAs(Incoming, Target.Kind, Target.bVarying);
+			if (Source != Target.Text)
 			{
-				Copies.push_back({Name, Source, Incoming.Text, bMasked});
-				Targets.insert(Name);
+				Copies.push_back({Target.Text, Source, Incoming.Text, bMasked});
 			}
 		}
 	}
+	return Copies;
+}
+
+void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
+{
+	std::vector<FPhiCopy> Copies = ListPhiCopies(From, To, Which);
+	std::set<std::string> Targets;
+	for (const FPhiCopy& Copy : Copies)
+	{
+		Targets.insert(Copy.Target);
+	}
 	// All sources are read before any target is written; only sources that are targets themselves need a copy.
 	const bool bOverlap = std::any_of(
-		Copies.begin(), Copies.end(), [&Targets](const FCopy& Copy) { return Targets.count(Copy.Read) != 0; });
+		Copies.begin(), Copies.end(), [&Targets](const FPhiCopy& Copy) { return Targets.count(Copy.Read) != 0; });
 	if (bOverlap)
 	{
 		OpenScope("");
-		for (FCopy& Copy : Copies)
+		for (FPhiCopy& Copy : Copies)
 		{
 			const std::string Name = "t" + Copy.Target;
 			Line("const auto " + Name + " = " + Copy.Source + ";");
 			Copy.Source = Name;
 		}
 	}
-	for (const FCopy& Copy : Copies)
+	for (const FPhiCopy& Copy : Copies)
 	{
 		Line(Copy.bMasked ? "Assign(e, " + Copy.Target + ", " + Copy.Source + ");"
 						  : Copy.Target + " = " + Copy.Source + ";");

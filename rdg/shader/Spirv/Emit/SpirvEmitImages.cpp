@@ -115,21 +115,133 @@ std::string FSpirvEmitter::StillText() const
 	return Text.empty() ? "true" : Text;
 }
 
+void FSpirvEmitter::DefineParts(
+	const FSpirvInstruction& I, const std::string& Expression, ESpirvType Kind, bool bVarying)
+{
+	const std::string Name = "w" + Number(I.Result);
+	Line("const auto " + Name + " = " + Expression + ";");
+	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+	{
+		Define(I.Result, i, {Name + "[" + Number(i) + "]", Kind, bVarying, -1});
+	}
+}
+
+void FSpirvEmitter::CountLanes(const std::string& Counter)
+{
+	Line("CountLanesOf(Args, &FKernelCounters::" + Counter + ", " + GetStoreMask() + ");");
+}
+
+void FSpirvEmitter::EmitPlainSample(const FSpirvInstruction& I)
+{
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const FSpirvImageOperands Told = GetImageOperands(I);
+	const std::string Handles = SampledHandles(I);
+	const std::string Level = LevelOf(I);
+	const bool b3D = Type.Dim == Dim3D;
+	const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, 0);
+	const char* const Function = b3D ? "SampleLevel3D(" : Type.bArrayed ? "SampleLevel2DArray(" : "SampleLevel2D(";
+	const std::string Tap = TapOf(I, Told.Lod ? I.Operands[Told.Lod] : 0);
+	if (Tap.empty())
+	{
+		DefineParts(I, Function + Handles + Place + ", " + Level + ")", Float, true);
+	}
+	else
+	{
+		EmitTap(I, Handles, Float, Level + Tap);
+	}
+	CountLanes("Samples");
+}
+
+void FSpirvEmitter::EmitImageLoad(const FSpirvInstruction& I)
+{
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const bool bInteger = Module.GetType(Type.Element).Kind != Float;
+	const ESpirvType Kind = bInteger ? Uint : Float;
+	const std::string Handle = HandleOf(I.Operands[0]);
+	const std::string Suffix = std::string(bInteger ? "Uint" : "") + "<Real, N>(" + Handle + ", ";
+	if (Type.Dim == DimBuffer)
+	{
+		DefineParts(I, "LoadTyped" + Suffix + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ")", Kind, true);
+		CountLanes("Loads");
+		return;
+	}
+	const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
+	size_t Next = 3;
+	uint32_t MipId = 0;
+	std::string Mip = "int32_t(0)";
+	if (Mask & ImageLod)
+	{
+		MipId = I.Operands[Next++];
+		Mip = UseAs(Scalar(MipId, 0), Int, false);
+	}
+	const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
+	const bool b3D = Type.Dim == Dim3D;
+	const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
+	const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
+	// Integers have no taps, and a texture that a shader also writes has none either.
+	const std::string Tap = Offset || I.Op == OpImageRead ? std::string() : TapOf(I, MipId);
+	if (Tap.empty())
+	{
+		DefineParts(I, Function + Suffix + Place + ", " + Mip + ")", Kind, true);
+	}
+	else
+	{
+		EmitTap(I, Handle + ", ", Int, Mip + Tap);
+	}
+	CountLanes("Loads");
+}
+
+void FSpirvEmitter::EmitImageStore(const FSpirvInstruction& I)
+{
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const bool bInteger = Module.GetType(Type.Element).Kind != Float;
+	const ESpirvType Kind = bInteger ? Uint : Float;
+	std::string Value = std::string("TVec<") + TypeName(Kind, true) + ", 4>(";
+	for (uint32_t i = 0; i < 4; ++i)
+	{
+		const FEmitScalar Part = i < SizeOf(I.Operands[2]) ? Scalar(I.Operands[2], i) : Literal(Kind, 0);
+		Value += (i ? ", " : "") + UseAs(Part, Kind, true);
+	}
+	const bool bBuffer = Type.Dim == DimBuffer;
+	const bool b3D = Type.Dim == Dim3D;
+	const std::string Function = bBuffer         ? "StoreTyped"
+								 : b3D           ? "StoreTexture3D"
+								 : Type.bArrayed ? "StoreTexture2DArray"
+												 : "StoreTexture2D";
+	const std::string Place = bBuffer ? UseAs(Scalar(I.Operands[1], 0), Uint, true)
+									  : Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, 0);
+	Line(Function + (bInteger ? "Uint<Real, N>" : "") + "(" + GetStoreMask() + ", " + HandleOf(I.Operands[0]) + ", " +
+		 Place + ", " + Value + "));");
+	CountLanes("Stores");
+}
+
+void FSpirvEmitter::EmitImageSize(const FSpirvInstruction& I)
+{
+	const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
+	const std::string Handle = HandleOf(I.Operands[0]);
+	if (Type.Dim == DimBuffer)
+	{
+		Define(I.Result, 0, {"BufferElements(" + Handle + ")", Uint, false, -1});
+		return;
+	}
+	std::string Mip = "0";
+	if (I.Op == OpImageQuerySizeLod)
+	{
+		const FEmitScalar Level = Scalar(I.Operands[1], 0);
+		if (Level.bVarying)
+		{
+			Module.Fail("GetDimensions wants a mip level that is the same for all threads on the CPU tier", &I);
+		}
+		Mip = UseAs(Level, Int, false);
+	}
+	const char* const Function = SizeOf(I.Result) != 3 ? "TextureSize2D("
+								 : Type.Dim == DimCube ? "TextureSizeCubes("
+													   : "TextureSize3D(";
+	DefineParts(I, Function + Handle + ", " + Mip + ")", Int, false);
+}
+
 bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 {
-	const auto Components = [this, &I](const std::string& Expression, ESpirvType Kind, bool bVarying)
-	{
-		const std::string Name = "w" + Number(I.Result);
-		Line("const auto " + Name + " = " + Expression + ";");
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			Define(I.Result, i, {Name + "[" + Number(i) + "]", Kind, bVarying, -1});
-		}
-	};
-	const auto Count = [this](const char* Counter)
-	{
-		Line(std::string("CountLanesOf(Args, &FKernelCounters::") + Counter + ", " + GetStoreMask() + ");");
-	};
 	switch (I.Op)
 	{
 	case OpSampledImage:
@@ -141,126 +253,22 @@ bool FSpirvEmitter::EmitImage(const FSpirvInstruction& I)
 	case OpImageSampleDrefExplicitLod:
 	case OpImageGather:
 	case OpImageDrefGather:
-	{
-		if (EmitSample(I))
+		if (!EmitSample(I))
 		{
-			return true;
+			EmitPlainSample(I);
 		}
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const FSpirvImageOperands Told = GetImageOperands(I);
-		const std::string Handles = SampledHandles(I);
-		const std::string Level = LevelOf(I);
-		const bool b3D = Type.Dim == Dim3D;
-		const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, true, 0);
-		const char* const Function = b3D ? "SampleLevel3D(" : Type.bArrayed ? "SampleLevel2DArray(" : "SampleLevel2D(";
-		const std::string Tap = TapOf(I, Told.Lod ? I.Operands[Told.Lod] : 0);
-		if (Tap.empty())
-		{
-			Components(Function + Handles + Place + ", " + Level + ")", Float, true);
-		}
-		else
-		{
-			EmitTap(I, Handles, Float, Level + Tap);
-		}
-		Count("Samples");
 		return true;
-	}
 	case OpImageFetch:
 	case OpImageRead:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
-		const std::string Handle = HandleOf(I.Operands[0]);
-		const uint32_t Mask = I.Operands.size() > 2 ? I.Operands[2] : 0;
-		size_t Next = 3;
-		uint32_t MipId = 0;
-		std::string Mip = "int32_t(0)";
-		if (Mask & ImageLod)
-		{
-			MipId = I.Operands[Next++];
-			Mip = UseAs(Scalar(MipId, 0), Int, false);
-		}
-		const size_t Offset = Mask & (ImageConstOffset | ImageOffset) ? Next : 0;
-		const std::string Suffix = std::string(bInteger ? "Uint" : "") + "<Real, N>(" + Handle + ", ";
-		if (Type.Dim == DimBuffer)
-		{
-			Components("LoadTyped" + Suffix + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ")",
-				bInteger ? Uint : Float, true);
-		}
-		else
-		{
-			const bool b3D = Type.Dim == Dim3D;
-			const std::string Function = b3D ? "Load3D" : Type.bArrayed ? "Load2DArray" : "Load2D";
-			const std::string Place = Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, Offset);
-			// Integers have no taps, nor do textures that the shader also writes.
-			const std::string Tap = Offset || I.Op == OpImageRead ? std::string() : TapOf(I, MipId);
-			if (Tap.empty())
-			{
-				Components(Function + Suffix + Place + ", " + Mip + ")", bInteger ? Uint : Float, true);
-			}
-			else
-			{
-				EmitTap(I, Handle + ", ", Int, Mip + Tap);
-			}
-		}
-		Count("Loads");
+		EmitImageLoad(I);
 		return true;
-	}
 	case OpImageWrite:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const bool bInteger = Module.GetType(Type.Element).Kind != Float;
-		const ESpirvType Kind = bInteger ? Uint : Float;
-		std::string Value = std::string("TVec<") + TypeName(Kind, true) + ", 4>(";
-		for (uint32_t i = 0; i < 4; ++i)
-		{
-			const FEmitScalar Part = i < SizeOf(I.Operands[2]) ? Scalar(I.Operands[2], i) : Literal(Kind, 0);
-			Value += (i ? ", " : "") + UseAs(Part, Kind, true);
-		}
-		const std::string Head = std::string("(") + GetStoreMask() + ", " + HandleOf(I.Operands[0]) + ", ";
-		const std::string Suffix = bInteger ? "Uint<Real, N>" : "";
-		if (Type.Dim == DimBuffer)
-		{
-			Line("StoreTyped" + Suffix + Head + UseAs(Scalar(I.Operands[1], 0), Uint, true) + ", " + Value + "));");
-		}
-		else
-		{
-			const bool b3D = Type.Dim == Dim3D;
-			const std::string Function = b3D             ? "StoreTexture3D"
-										 : Type.bArrayed ? "StoreTexture2DArray"
-														 : "StoreTexture2D";
-			Line(Function + Suffix + Head + Coordinates(I, 1, b3D || Type.bArrayed ? 3 : 2, false, 0) + ", " + Value +
-				 "));");
-		}
-		Count("Stores");
+		EmitImageStore(I);
 		return true;
-	}
 	case OpImageQuerySize:
 	case OpImageQuerySizeLod:
-	{
-		const FSpirvType& Type = ImageTypeOf(I.Operands[0]);
-		const std::string Handle = HandleOf(I.Operands[0]);
-		if (Type.Dim == DimBuffer)
-		{
-			Define(I.Result, 0, {"BufferElements(" + Handle + ")", Uint, false, -1});
-			return true;
-		}
-		std::string Mip = "0";
-		if (I.Op == OpImageQuerySizeLod)
-		{
-			const FEmitScalar Level = Scalar(I.Operands[1], 0);
-			if (Level.bVarying)
-			{
-				Module.Fail("GetDimensions wants a mip level that is the same for all threads on the CPU tier", &I);
-			}
-			Mip = UseAs(Level, Int, false);
-		}
-		const char* const Function = SizeOf(I.Result) != 3 ? "TextureSize2D("
-									 : Type.Dim == DimCube ? "TextureSizeCubes("
-														   : "TextureSize3D(";
-		Components(Function + Handle + ", " + Mip + ")", Int, false);
+		EmitImageSize(I);
 		return true;
-	}
 	case OpImageQueryLevels:
 		Define(I.Result, 0, {"TextureLevels(" + HandleOf(I.Operands[0]) + ")", Int, false, -1});
 		return true;

@@ -44,7 +44,7 @@ FSpirvPlace FSpirvEmitter::Resolve(uint32_t Pointer) const
 	return ResolvePlace(Module, Pointer, Chain == Definitions.end() ? nullptr : Chain->second);
 }
 
-void FSpirvEmitter::DeclareVariables()
+void FSpirvEmitter::FindDynamicVariables()
 {
 	for (const auto& [Id, I] : Definitions)
 	{
@@ -62,88 +62,113 @@ void FSpirvEmitter::DeclareVariables()
 			DynamicVariables.insert(Variable.Id);
 		}
 	}
+}
+
+void FSpirvEmitter::DeclareHandle(const FSpirvVariable& Variable, uint32_t Slot)
+{
+	const FSpirvType& Type = Module.GetType(Variable.Type);
+	const std::string Index = "[" + Number(Slot) + "];\n";
+	const std::string Name = "g" + Number(Variable.Id);
+	const bool bStorage = Type.bBufferBlock ? !Type.Members[0].bNonWritable : Type.bStorageImage;
+	if (Type.Kind == ESpirvType::Struct && !Type.bBufferBlock)
+	{
+		Handles += "\tconst uint8_t* const " + Name + " = Args.ConstantBuffers" + Index;
+	}
+	else if (Type.Kind == ESpirvType::Sampler)
+	{
+		Handles += "\tconst FKernelSampler& " + Name + " = Args.Samplers" + Index;
+	}
+	else if (Type.bBufferBlock || Type.Dim == DimBuffer)
+	{
+		Handles += "\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
+	}
+	else
+	{
+		Handles += "\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
+	}
+}
+
+void FSpirvEmitter::DeclareShared(const FSpirvVariable& Variable)
+{
+	for (const ESpirvType Kind : GetKinds(Variable.Type))
+	{
+		SharedText += "\t" + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
+					  Number(Module.GetType(Variable.Type).NumScalars) + "]{};\n";
+	}
+}
+
+void FSpirvEmitter::DeclareTable(const FSpirvVariable& Variable, uint32_t Constant)
+{
+	for (const ESpirvType Kind : GetKinds(Variable.Type))
+	{
+		TableText += "constexpr " + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
+					 Number(Module.GetType(Variable.Type).NumScalars) + "]" + InitialText(Variable, Kind, Constant) +
+					 ";\n";
+	}
+}
+
+/** The initial values of an array of one kind: the constant's, or 0 if there is none. Scalars of other kinds are 0. */
+std::string FSpirvEmitter::InitialText(const FSpirvVariable& Variable, ESpirvType Kind, uint32_t Constant) const
+{
+	const FSpirvConstant* const Initial = Module.FindConstant(Constant);
+	std::string Text;
+	for (uint32_t i = 0; Initial && i < Module.GetType(Variable.Type).NumScalars; ++i)
+	{
+		const bool bThis = Module.GetScalarKind(Variable.Type, i) == Kind;
+		Text += (i ? ", " : "") + Literal(Kind, bThis ? Initial->Scalars[i] : 0).Text;
+	}
+	return Initial ? " = {" + Text + "}" : "{}";
+}
+
+void FSpirvEmitter::DeclareLocal(const FSpirvVariable& Variable)
+{
+	const FSpirvConstant* const Initial = Module.FindConstant(Variable.Initializer);
+	const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
+	const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
+	if (!DynamicVariables.count(Variable.Id))
+	{
+		for (uint32_t i = 0; i < Size; ++i)
+		{
+			const ESpirvType Kind = Module.GetScalarKind(Variable.Type, i);
+			const std::string Value = Initial ? " = " + Literal(Kind, Initial->Scalars[i]).Text : "{}";
+			Declare(TypeName(Kind, bVarying), "l" + Number(Variable.Id) + "_" + Number(i), 0, Value, true);
+		}
+		return;
+	}
+	const std::set<ESpirvType> Kinds = GetKinds(Variable.Type);
+	const auto Chain = std::find_if(Definitions.begin(), Definitions.end(),
+		[&Variable](const auto& Entry)
+		{ return !Entry.second->Operands.empty() && Entry.second->Operands[0] == Variable.Id; });
+	CountArray(Size, Kinds.size(), Chain == Definitions.end() ? nullptr : Chain->second);
+	for (const ESpirvType Kind : Kinds)
+	{
+		Declare(TypeName(Kind, bVarying), LocalArray(Variable, Kind), Size,
+			InitialText(Variable, Kind, Variable.Initializer), true);
+	}
+}
+
+void FSpirvEmitter::DeclareVariables()
+{
+	FindDynamicVariables();
 	for (const FSpirvVariable& Variable : Module.Variables)
 	{
 		const auto Slot = Reflection.Slots.find(Variable.Id);
+		const auto Table = Tables.find(Variable.Id);
 		if (Slot != Reflection.Slots.end())
 		{
-			const FSpirvType& Type = Module.GetType(Variable.Type);
-			const std::string Index = "[" + Number(Slot->second) + "];\n";
-			const std::string Name = "g" + Number(Variable.Id);
-			const bool bStorage = Type.bBufferBlock ? !Type.Members[0].bNonWritable : Type.bStorageImage;
-			if (Type.Kind == ESpirvType::Struct && !Type.bBufferBlock)
-			{
-				Handles += "\tconst uint8_t* const " + Name + " = Args.ConstantBuffers" + Index;
-			}
-			else if (Type.Kind == ESpirvType::Sampler)
-			{
-				Handles += "\tconst FKernelSampler& " + Name + " = Args.Samplers" + Index;
-			}
-			else if (Type.bBufferBlock || Type.Dim == DimBuffer)
-			{
-				Handles += "\tconst FKernelBuffer& " + Name + " = Args." + (bStorage ? "RWBuffers" : "Buffers") + Index;
-			}
-			else
-			{
-				Handles +=
-					"\tconst FKernelTexture& " + Name + " = Args." + (bStorage ? "RWTextures" : "Textures") + Index;
-			}
-			continue;
+			DeclareHandle(Variable, Slot->second);
 		}
-		if (Variable.Storage == StorageWorkgroup)
+		else if (Variable.Storage == StorageWorkgroup)
 		{
-			for (const ESpirvType Kind : GetKinds(Variable.Type))
-			{
-				SharedText += "\t" + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
-							  Number(Module.GetType(Variable.Type).NumScalars) + "]{};\n";
-			}
-			continue;
+			DeclareShared(Variable);
 		}
-		if (!IsLocal(Variable))
+		else if (IsLocal(Variable) && Table == Tables.end())
 		{
-			continue;
+			DeclareLocal(Variable);
 		}
-		const auto Table = Tables.find(Variable.Id);
-		const FSpirvConstant* Initial =
-			Module.FindConstant(Table != Tables.end() ? Table->second : Variable.Initializer);
-		const uint32_t Size = Module.GetType(Variable.Type).NumScalars;
-		const bool bVarying = Variable.Storage == StorageOutput || Uniformity.IsVariableVarying(Variable.Id);
-		if (!DynamicVariables.count(Variable.Id))
+		else if (IsLocal(Variable) && DynamicVariables.count(Variable.Id))
 		{
-			for (uint32_t i = 0; Table == Tables.end() && i < Size; ++i)
-			{
-				const ESpirvType Kind = Module.GetScalarKind(Variable.Type, i);
-				const std::string Value = Initial ? " = " + Literal(Kind, Initial->Scalars[i]).Text : "{}";
-				Declare(TypeName(Kind, bVarying), "l" + Number(Variable.Id) + "_" + Number(i), 0, Value, true);
-			}
-			continue;
-		}
-		const std::set<ESpirvType> Kinds = GetKinds(Variable.Type);
-		if (Table == Tables.end())
-		{
-			const auto Chain = std::find_if(Definitions.begin(), Definitions.end(),
-				[&Variable](const auto& Entry)
-				{ return !Entry.second->Operands.empty() && Entry.second->Operands[0] == Variable.Id; });
-			CountArray(Size, Kinds.size(), Chain == Definitions.end() ? nullptr : Chain->second);
-		}
-		for (const ESpirvType Kind : Kinds)
-		{
-			std::string Values;
-			for (uint32_t i = 0; Initial && i < Size; ++i)
-			{
-				const bool bThis = Module.GetScalarKind(Variable.Type, i) == Kind;
-				Values += (i ? ", " : "") + Literal(Kind, bThis ? Initial->Scalars[i] : 0).Text;
-			}
-			const std::string Value = Initial ? " = {" + Values + "}" : "{}";
-			if (Table != Tables.end())
-			{
-				TableText += "constexpr " + TypeName(Kind, false) + " " + LocalArray(Variable, Kind) + "[" +
-							 Number(Size) + "]" + Value + ";\n";
-			}
-			else
-			{
-				Declare(TypeName(Kind, bVarying), LocalArray(Variable, Kind), Size, Value, true);
-			}
+			DeclareTable(Variable, Table->second);
 		}
 	}
 }

@@ -123,7 +123,7 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	}
 	Current = &I;
 	SourceLine(I);
-	if (I.Op >= OpBranch && I.Op <= OpUnreachable)
+	if (IsSpirvTerminator(I.Op))
 	{
 		return;
 	}
@@ -140,7 +140,8 @@ void FSpirvEmitter::EmitInstruction(const FSpirvInstruction& I)
 	OperandLevel = EEmitLevel::Tile;
 	if (I.Op == OpExtInst)
 	{
-		EmitExtended(I);
+		const FEmitPattern* const Pattern = FindPattern(Extended, I.Operands[1]);
+		Pattern ? EmitPattern(I, 2, *Pattern) : EmitExtended(I);
 	}
 	else if (!EmitMemory(I) && !EmitGroups(I) && !EmitQuads(I) && !EmitWaves(I) && !EmitImage(I) && !EmitComposite(I) &&
 			 !EmitComponentwise(I) && !EmitMatrix(I))
@@ -346,148 +347,6 @@ void FSpirvEmitter::EmitBitcast(const FSpirvInstruction& I)
 			Whole = Kind;
 		}
 		Define(I.Result, Index, {Text, Whole, bVarying, -1});
-	}
-}
-
-void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
-{
-	const uint32_t Ext = I.Operands[1];
-	if (const FEmitPattern* Pattern = FindPattern(Extended, Ext))
-	{
-		EmitPattern(I, 2, *Pattern);
-		return;
-	}
-	const ESpirvType Real = Scalar(I.Operands[2], 0).Kind == ESpirvType::Double ? ESpirvType::Double : Float;
-	bool bVarying = false;
-	for (size_t k = 2; k < I.Operands.size() && Ext != ExtModf; ++k)
-	{
-		bVarying = bVarying || Uniformity.IsAnyVarying(I.Operands[k]);
-		for (uint32_t i = 0; i < SizeOf(I.Operands[k]); ++i)
-		{
-			bVarying = bVarying || Scalar(I.Operands[k], i).bVarying;
-		}
-	}
-	// A vector of the lanes' own, for functions that work on the whole of it.
-	const auto Vector = [this, &I, Real, bVarying](size_t Operand)
-	{
-		const uint32_t Id = I.Operands[Operand];
-		const uint32_t Size = SizeOf(Id);
-		std::string Text;
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			Text += (i ? ", " : "") + UseAs(Scalar(Id, i), Real, bVarying);
-		}
-		return Size == 1 ? Text : "TVec<" + TypeName(Real, bVarying) + ", " + std::to_string(Size) + ">(" + Text + ")";
-	};
-	const std::string Temporary = "w" + std::to_string(I.Result);
-	const auto DefineComponents = [this, &I, &Temporary, Real, bVarying](const std::string& Expression)
-	{
-		const uint32_t Size = SizeOf(I.Result);
-		Line("const auto " + Temporary + " = " + Expression + ";");
-		for (uint32_t i = 0; i < Size; ++i)
-		{
-			Define(
-				I.Result, i, {Size == 1 ? Temporary : Temporary + "[" + std::to_string(i) + "]", Real, bVarying, -1});
-		}
-	};
-	const bool bScalar = SizeOf(I.Operands[2]) == 1;
-	switch (Ext)
-	{
-	case ExtLength:
-		DefineComponents((bScalar ? "Abs(" : "Length(") + Vector(2) + ")");
-		break;
-	case ExtDistance:
-		DefineComponents(
-			bScalar ? "Abs(" + Vector(2) + " - " + Vector(3) + ")" : "Distance(" + Vector(2) + ", " + Vector(3) + ")");
-		break;
-	case ExtCross:
-		DefineComponents("Cross(" + Vector(2) + ", " + Vector(3) + ")");
-		break;
-	case ExtNormalize:
-		DefineComponents(bScalar ? "Sign(" + Vector(2) + ")" : "Normalize(" + Vector(2) + ")");
-		break;
-	case ExtReflect:
-	case ExtRefract:
-	case ExtFaceForward:
-		if (bScalar)
-		{
-			Module.Fail("reflect, refract and faceforward want vectors on the CPU tier", &I);
-		}
-		DefineComponents(Ext == ExtReflect   ? "Reflect(" + Vector(2) + ", " + Vector(3) + ")"
-						 : Ext == ExtRefract ? "Refract(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")"
-											 : "FaceForward(" + Vector(2) + ", " + Vector(3) + ", " + Vector(4) + ")");
-		break;
-	case ExtDeterminant:
-	{
-		const uint32_t Size = Module.GetValueType(I.Operands[2]).Count;
-		const std::string Column = "TVec<" + TypeName(Real, bVarying) + ", " + std::to_string(Size) + ">(";
-		std::string Columns;
-		for (uint32_t c = 0; c < Size; ++c)
-		{
-			Columns += (c ? ", " : "") + Column;
-			for (uint32_t r = 0; r < Size; ++r)
-			{
-				Columns += (r ? ", " : "") + UseAs(Scalar(I.Operands[2], c * Size + r), Real, bVarying);
-			}
-			Columns += ")";
-		}
-		const std::string Dimensions = std::to_string(Size) + ", " + std::to_string(Size);
-		DefineComponents("Determinant(TMat<" + TypeName(Real, bVarying) + ", " + Dimensions + ">(" + Columns + "))");
-		break;
-	}
-	case ExtPackDouble2x32:
-		Define(I.Result, 0,
-			{"DoubleOfBits(AsUlong(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) + ") | ShiftLeft(AsUlong(" +
-					UseAs(Scalar(I.Operands[2], 1), Uint, bVarying) + "), uint64_t(32)))",
-				ESpirvType::Double, bVarying, -1});
-		break;
-	case ExtUnpackDouble2x32:
-		for (uint32_t i = 0; i < 2; ++i)
-		{
-			const std::string Bits = "DoubleBits(" + Use(Scalar(I.Operands[2], 0)) + ")";
-			Define(I.Result, i,
-				{i ? "AsUint(ShiftRight(" + Bits + ", uint64_t(32)))" : "AsUint(" + Bits + ")", Uint, bVarying, -1});
-		}
-		break;
-	case ExtPackHalf2x16:
-		Define(I.Result, 0, {"PackHalf2(" + Vector(2) + ")", Uint, bVarying, -1});
-		break;
-	case ExtUnpackHalf2x16:
-		Line("const auto " + Temporary + " = UnpackHalf2<Real>(" + UseAs(Scalar(I.Operands[2], 0), Uint, bVarying) +
-			 ");");
-		for (uint32_t i = 0; i < 2; ++i)
-		{
-			Define(I.Result, i, {Temporary + "[" + std::to_string(i) + "]", Float, bVarying, -1});
-		}
-		break;
-	case ExtLdexp:
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			// HLSL's exponent is a float: x * 2^exponent.
-			const FEmitScalar Value = Scalar(I.Operands[2], i);
-			const FEmitScalar Exponent = Scalar(I.Operands[3], i);
-			const bool bOne = Value.bVarying || Exponent.bVarying;
-			const std::string Text =
-				Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
-									   : "Ldexp(" + UseAs(Value, Real, bOne) + ", " + UseAs(Exponent, Int, bOne) + ")";
-			Define(I.Result, i, {Text, Real, bOne, -1});
-		}
-		break;
-	case ExtModf:
-	{
-		std::vector<FEmitScalar> Whole;
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			const FEmitScalar Value = Scalar(I.Operands[2], i);
-			const std::string Text = Use(Value);
-			Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Real, Value.bVarying, -1});
-			Whole.push_back({"Trunc(" + Text + ")", Real, Value.bVarying, -1});
-		}
-		EmitStore(I.Operands[3], Whole, I);
-		break;
-	}
-	default:
-		Module.Fail("GLSL.std.450 instruction " + std::to_string(Ext) + " is not supported on the CPU tier", &I);
 	}
 }
 

@@ -131,7 +131,7 @@ bool FSpirvEmitter::EmitSample(const FSpirvInstruction& I)
 			Define(I.Result, i, {Text, Float, true, -1});
 		}
 	}
-	Line(std::string("CountLanesOf(Args, &FKernelCounters::Samples, ") + GetStoreMask() + ");");
+	CountLanes("Samples");
 	return true;
 }
 

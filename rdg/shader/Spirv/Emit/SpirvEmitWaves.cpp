@@ -1,6 +1,8 @@
 // Emits wave operations. A wave is a pack: the mask of the lanes that run says who takes part.
 #include "SpirvEmitter.h"
 
+#include <algorithm>
+
 namespace Drydock
 {
 
@@ -40,37 +42,44 @@ constexpr FWaveArithmetic Arithmetic[] = {
 
 } // namespace
 
+bool FSpirvEmitter::EmitWaveArithmetic(const FSpirvInstruction& I)
+{
+	const auto A = std::find_if(
+		std::begin(Arithmetic), std::end(Arithmetic), [&I](const FWaveArithmetic& Known) { return Known.Op == I.Op; });
+	if (A == std::end(Arithmetic))
+	{
+		return false;
+	}
+	const bool bReduce = I.Operands[1] == Reduce;
+	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+	{
+		const FEmitScalar Operand = Scalar(I.Operands[2], i);
+		const ESpirvType Kind = A->Kind == Int    ? GetSpirvSigned(Operand.Kind)
+								: A->Kind == Uint ? GetSpirvUnsigned(Operand.Kind)
+												  : Operand.Kind;
+		const bool bLong = GetSpirvBytes(Kind) == 8;
+		const std::string Identity = bLong ? TypeName(Kind, false) + "(" + A->LongIdentity + ")" : A->Identity;
+		const std::string Head = std::string(bReduce ? "WaveReduce<" : "WavePrefix<") + A->Name + ">(e, ";
+		const std::string Rest = bReduce ? ")" : ", " + Identity + ")";
+		Define(I.Result, i, {Head + UseAs(Operand, Kind, true) + Rest, Kind, true, -1});
+	}
+	return true;
+}
+
 bool FSpirvEmitter::EmitWaves(const FSpirvInstruction& I)
 {
 	if (!IsSpirvWave(I.Op))
 	{
 		return false;
 	}
+	if (EmitWaveArithmetic(I))
+	{
+		return true;
+	}
 	const auto Operand = [this, &I](size_t At, uint32_t Index, ESpirvType Kind)
 	{
 		return UseAs(Scalar(I.Operands[At], Index), Kind, true);
 	};
-	for (const FWaveArithmetic& A : Arithmetic)
-	{
-		if (A.Op != I.Op)
-		{
-			continue;
-		}
-		const bool bReduce = I.Operands[1] == Reduce;
-		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
-		{
-			const ESpirvType Operands = Scalar(I.Operands[2], i).Kind;
-			const ESpirvType Kind = A.Kind == Int    ? GetSpirvSigned(Operands)
-									: A.Kind == Uint ? GetSpirvUnsigned(Operands)
-													 : Operands;
-			const bool bLong = GetSpirvBytes(Kind) == 8;
-			const std::string Identity = bLong ? TypeName(Kind, false) + "(" + A.LongIdentity + ")" : A.Identity;
-			const std::string Head = std::string(bReduce ? "WaveReduce<" : "WavePrefix<") + A.Name + ">(e, ";
-			const std::string Rest = bReduce ? ")" : ", " + Identity + ")";
-			Define(I.Result, i, {Head + Operand(2, i, Kind) + Rest, Kind, true, -1});
-		}
-		return true;
-	}
 	const auto Each = [&](const std::string& Head, const std::string& Rest)
 	{
 		for (uint32_t i = 0; i < SizeOf(I.Result); ++i)

@@ -1,6 +1,6 @@
 // The emitter's state and its parts: SpirvEmitter.cpp (module), SpirvEmitFlow.cpp (control flow and masks),
-// SpirvEmitOps.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables, buffers),
-// SpirvEmitArrays.cpp, SpirvEmitImages.cpp, SpirvEmitGroups.cpp (groups and barriers), SpirvEmitAtomics.cpp,
+// SpirvEmitOps.cpp and SpirvEmitExtended.cpp (arithmetic), SpirvEmitComposites.cpp, SpirvEmitMemory.cpp (variables,
+// buffers), SpirvEmitArrays.cpp, SpirvEmitImages.cpp, SpirvEmitGroups.cpp (groups and barriers), SpirvEmitAtomics.cpp,
 // SpirvEmitWaves.cpp, SpirvEmitQuads.cpp.
 //
 // Values are single scalars: `const R v12_0 = v9_1 * v7_0;`. Moves between components cost no code at all. A scalar is
@@ -23,6 +23,7 @@
 #include "SpirvPlace.h"
 #include "SpirvTurns.h"
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -97,6 +98,15 @@ private:
 	void EmitTurn(const FStructNode& Node, bool bPacks);
 	bool IsCounted(const FStructNode& Loop) const { return !Turns.Find(Loop.Label); }
 	void EmitEdge(const FStructNode& Node);
+	struct FPhiCopy
+	{
+		std::string Target;
+		std::string Source;
+		std::string Read; // the variable that Source reads
+		bool bMasked = false;
+	};
+	const std::vector<FEmitScalar>& DeclarePhi(const FSpirvInstruction& I, uint32_t Label);
+	std::vector<FPhiCopy> ListPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which);
 	void EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which = EPhiCopies::All);
 	bool Escapes(const FStructNode& Node) const;
 	bool EscapesFrom(const FStructRegion& Region, std::initializer_list<uint32_t> Inside, bool bInnerLoop) const;
@@ -126,6 +136,8 @@ private:
 	std::string PlaceDeclarations(std::string& InitialText);
 	std::vector<FEmitScalar> LoadGroupInput(const FSpirvVariable& Variable);
 	bool EmitGroups(const FSpirvInstruction& I);
+	/** False when it is another wave operation. */
+	bool EmitWaveArithmetic(const FSpirvInstruction& I);
 	bool EmitWaves(const FSpirvInstruction& I);
 
 	// Quads
@@ -142,9 +154,24 @@ private:
 
 	// Instructions
 	void EmitInstruction(const FSpirvInstruction& I);
+	void EmitDynamicExtract(const FSpirvInstruction& I);
+	void EmitDynamicInsert(const FSpirvInstruction& I);
+	std::optional<std::vector<FEmitScalar>> ListMoved(const FSpirvInstruction& I);
 	bool EmitComposite(const FSpirvInstruction& I);
 	bool EmitComponentwise(const FSpirvInstruction& I);
+	/** A product that is part of a sum. */
+	struct FTerm
+	{
+		FEmitScalar A;
+		FEmitScalar B;
+	};
+	void EmitSum(const FSpirvInstruction& I, uint32_t Index, const std::vector<FTerm>& Terms);
 	bool EmitMatrix(const FSpirvInstruction& I);
+	std::string DeterminantText(uint32_t Matrix, ESpirvType Kind, bool bVarying);
+	void EmitPacking(const FSpirvInstruction& I, bool bVarying);
+	void EmitLdexp(const FSpirvInstruction& I, ESpirvType Kind);
+	void EmitModf(const FSpirvInstruction& I, ESpirvType Kind);
+	/** Functions that have no pattern. */
 	void EmitExtended(const FSpirvInstruction& I);
 	void EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const struct FEmitPattern& Pattern);
 	void EmitConversion(const FSpirvInstruction& I);
@@ -155,6 +182,14 @@ private:
 	// Memory
 	bool EmitMemory(const FSpirvInstruction& I);
 	bool EmitImage(const FSpirvInstruction& I);
+	void EmitPlainSample(const FSpirvInstruction& I);
+	void EmitImageLoad(const FSpirvInstruction& I);
+	void EmitImageStore(const FSpirvInstruction& I);
+	void EmitImageSize(const FSpirvInstruction& I);
+	/** The result's scalars are the components of the expression. */
+	void DefineParts(const FSpirvInstruction& I, const std::string& Expression, ESpirvType Kind, bool bVarying);
+	/** Adds the number of lanes that run to a member of FKernelCounters. */
+	void CountLanes(const std::string& Counter);
 	/** False when it is a plain sample. */
 	bool EmitSample(const FSpirvInstruction& I);
 	std::string SampledHandles(const FSpirvInstruction& I) const;
@@ -182,6 +217,12 @@ private:
 	std::string StillText() const;
 	std::string Coordinates(
 		const FSpirvInstruction& I, size_t Operand, uint32_t Count, bool bReal, size_t OffsetOperand);
+	void FindDynamicVariables();
+	void DeclareHandle(const FSpirvVariable& Variable, uint32_t Slot);
+	void DeclareShared(const FSpirvVariable& Variable);
+	void DeclareTable(const FSpirvVariable& Variable, uint32_t Constant);
+	void DeclareLocal(const FSpirvVariable& Variable);
+	std::string InitialText(const FSpirvVariable& Variable, ESpirvType Kind, uint32_t Constant) const;
 	void DeclareVariables();
 	void EmitOutputs();
 

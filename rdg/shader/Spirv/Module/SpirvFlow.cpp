@@ -1,10 +1,45 @@
-// Tells operations that work scalar by scalar.
+// Tells operations whose result comes from their operands alone, and those that work scalar by scalar.
 #include "SpirvFlow.h"
 
 namespace Drydock
 {
 
 using namespace Spirv;
+
+bool HasFlow(const FSpirvInstruction& I)
+{
+	switch (I.Op)
+	{
+	case OpPhi:
+	case OpLoad:
+	case OpStore:
+	case OpSampledImage:
+	case OpImage:
+	case OpImageSampleImplicitLod:
+	case OpImageSampleExplicitLod:
+	case OpImageSampleDrefImplicitLod:
+	case OpImageSampleDrefExplicitLod:
+	case OpImageDrefGather:
+	case OpImageGather:
+	case OpImageFetch:
+	case OpImageRead:
+	case OpImageWrite:
+	case OpImageQueryLod:
+	case OpImageQueryLevels:
+	case OpImageTexelPointer:
+	case OpArrayLength:
+	case OpFunctionCall:
+	case OpBranch:
+	case OpBranchConditional:
+	case OpSwitch:
+	case OpKill:
+	case OpReturn:
+	case OpUnreachable:
+		return false;
+	default:
+		return I.Result && !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op) && !IsSpirvDerivative(I.Op);
+	}
+}
 
 bool IsComponentwise(const FSpirvModule& Module, const FSpirvInstruction& I)
 {

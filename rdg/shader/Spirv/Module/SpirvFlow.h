@@ -15,8 +15,11 @@ constexpr uint32_t GAnyScalar = ~0u;
 /** Each scalar of the result comes from the same scalars of the operands. */
 bool IsComponentwise(const FSpirvModule& Module, const FSpirvInstruction& I);
 
-/** Calls Copy(To, Value, From) for scalars From of operands that go into scalar To of the result. False for what takes
- *  its result from elsewhere, too: phis, memory, textures, calls; and for what has none. */
+/** The result is computed from the operands alone. */
+bool HasFlow(const FSpirvInstruction& I);
+
+/** Calls Copy(To, Value, From) for scalars From of operands that go into scalar To of the result. False where
+ *  HasFlow is false. */
 template<typename TCopy>
 bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy Copy)
 {
@@ -25,38 +28,7 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	{
 		return std::max(1u, Module.GetValueType(Value).NumScalars);
 	};
-	switch (I.Op)
-	{
-	case OpPhi:
-	case OpLoad:
-	case OpStore:
-	case OpSampledImage:
-	case OpImage:
-	case OpImageSampleImplicitLod:
-	case OpImageSampleExplicitLod:
-	case OpImageSampleDrefImplicitLod:
-	case OpImageSampleDrefExplicitLod:
-	case OpImageDrefGather:
-	case OpImageGather:
-	case OpImageFetch:
-	case OpImageRead:
-	case OpImageWrite:
-	case OpImageQueryLod:
-	case OpImageQueryLevels:
-	case OpArrayLength:
-	case OpFunctionCall:
-	case OpBranch:
-	case OpBranchConditional:
-	case OpSwitch:
-	case OpKill:
-	case OpReturn:
-	case OpUnreachable:
-		return false;
-	default:
-		break;
-	}
-	const bool bOfOthers = IsSpirvAtomic(I.Op) || IsSpirvWave(I.Op) || IsSpirvDerivative(I.Op);
-	if (!I.Result || bOfOthers || I.Op == OpImageTexelPointer)
+	if (!HasFlow(I))
 	{
 		return false;
 	}

@@ -260,6 +260,12 @@ DRYDOCK_API FSpirvModule ReadWholeSpirv(const std::vector<uint32_t>& Words);
 /** Labels a terminator can go to, in operand order, without repetition. */
 std::vector<uint32_t> GetSuccessors(const FSpirvInstruction& Terminator);
 
+/** Ends a block. */
+constexpr bool IsSpirvTerminator(uint16_t Op)
+{
+	return Op >= Spirv::OpBranch && Op <= Spirv::OpUnreachable;
+}
+
 /** Reads and writes one number at once: loads, stores and Interlocked*. Operands: pointer, scope, semantics, and more.
  */
 constexpr bool IsSpirvAtomic(uint16_t Op)

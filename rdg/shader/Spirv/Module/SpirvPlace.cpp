@@ -52,6 +52,32 @@ void AppendOffsets(const FSpirvModule& Module, uint32_t TypeId, uint32_t Offset,
 	}
 }
 
+/** How the bytes of the matrix lie that a chain leads into. */
+struct FMatrixLayout
+{
+	uint32_t MatrixStride = 0;
+	uint32_t ComponentStride = 0; // of a vector that is a column
+	bool bRowMajor = false;
+};
+
+/** Bytes from one part of the type to the next; a step into a matrix makes its columns known. */
+uint32_t StepInBytes(const FSpirvModule& Module, const FSpirvType& Type, FMatrixLayout& Layout)
+{
+	switch (Type.Kind)
+	{
+	case ESpirvType::Vector:
+		return Layout.ComponentStride ? Layout.ComponentStride : GetSpirvBytes(Module.GetType(Type.Element).Kind);
+	case ESpirvType::Matrix:
+	{
+		const uint32_t Scalar = GetSpirvBytes(Module.GetScalarKind(Type.Element, 0));
+		Layout.ComponentStride = Layout.bRowMajor ? Layout.MatrixStride : Scalar;
+		return Layout.bRowMajor ? Scalar : Layout.MatrixStride;
+	}
+	default:
+		return Type.ArrayStride;
+	}
+}
+
 } // namespace
 
 std::vector<uint32_t> GetScalarOffsets(const FSpirvModule& Module, uint32_t Type, uint32_t MatrixStride, bool bRowMajor)
@@ -66,9 +92,7 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 	FSpirvPlace Place;
 	Place.Type = BaseType;
 	Place.bBytes = bBytes;
-	uint32_t MatrixStride = 0;
-	uint32_t ComponentStride = 0; // of a vector that is a column of a matrix
-	bool bRowMajor = false;
+	FMatrixLayout Layout;
 	for (size_t i = 1; i < Chain.Operands.size(); ++i)
 	{
 		const uint32_t Id = Chain.Operands[i];
@@ -82,8 +106,8 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 			{
 				const FSpirvMember& Member = Type.Members[Index];
 				Place.Offset += Member.Offset;
-				MatrixStride = Member.MatrixStride;
-				bRowMajor = Member.bRowMajor;
+				Layout.MatrixStride = Member.MatrixStride;
+				Layout.bRowMajor = Member.bRowMajor;
 			}
 			else
 			{
@@ -93,26 +117,7 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 			continue;
 		}
 		const uint32_t Next = Module.GetMemberType(Place.Type, 0);
-		uint32_t Stride = Module.GetType(Next).NumScalars;
-		if (Place.bBytes)
-		{
-			switch (Type.Kind)
-			{
-			case ESpirvType::Vector:
-				Stride = ComponentStride ? ComponentStride : GetSpirvBytes(Module.GetType(Next).Kind);
-				break;
-			case ESpirvType::Matrix:
-			{
-				const uint32_t Scalar = GetSpirvBytes(Module.GetScalarKind(Next, 0));
-				Stride = bRowMajor ? Scalar : MatrixStride;
-				ComponentStride = bRowMajor ? MatrixStride : Scalar;
-				break;
-			}
-			default:
-				Stride = Type.ArrayStride;
-				break;
-			}
-		}
+		const uint32_t Stride = Place.bBytes ? StepInBytes(Module, Type, Layout) : Module.GetType(Next).NumScalars;
 		if (Type.Kind == ESpirvType::RuntimeArray)
 		{
 			Place.Element = Id;
@@ -138,7 +143,8 @@ FSpirvPlace FollowChain(const FSpirvModule& Module, uint32_t BaseType, bool bByt
 	}
 	else if (NumScalars)
 	{
-		AppendOffsets(Module, Place.Type, 0, MatrixStride, bRowMajor, ComponentStride, Place.Scalars);
+		AppendOffsets(
+			Module, Place.Type, 0, Layout.MatrixStride, Layout.bRowMajor, Layout.ComponentStride, Place.Scalars);
 	}
 	return Place;
 }

@@ -190,7 +190,7 @@ void FSpirvChecker::CheckBlock(const FSpirvBlock& Block)
 	for (size_t i = 0; i < Block.Instructions.size(); ++i)
 	{
 		const FSpirvInstruction& I = Block.Instructions[i];
-		const bool bTerminator = I.Op >= OpBranch && I.Op <= OpUnreachable;
+		const bool bTerminator = IsSpirvTerminator(I.Op);
 		Expect(bTerminator == (i + 1 == Block.Instructions.size()), I);
 		if (bTerminator)
 		{

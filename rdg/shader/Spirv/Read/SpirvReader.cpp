@@ -163,6 +163,39 @@ void FSpirvReader::FlattenChain(FSpirvInstruction& Chain)
 	Chains[Chain.Result] = Chain.Operands;
 }
 
+void FSpirvReader::BeginBlock(uint32_t Label)
+{
+	CheckId(Label);
+	if (bBlockOpen || !Module.BlockIndex.emplace(Label, uint32_t(Module.Blocks.size())).second)
+	{
+		throw FSpirvError("SPIR-V: block " + std::to_string(Label) + " is malformed");
+	}
+	Module.Blocks.push_back({Label, {}, 0, 0});
+	bBlockOpen = true;
+}
+
+FSpirvInstruction FSpirvReader::MakeInstruction(uint16_t Op, FSpirvOperands& Operands) const
+{
+	FSpirvInstruction Instruction;
+	Instruction.Op = Op;
+	Instruction.File = CurrentFile;
+	Instruction.Line = CurrentLine;
+	const bool bNoResult = IsSpirvTerminator(Op) || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier ||
+						   Op == OpMemoryBarrier || Op == OpAtomicStore || Op == OpDemote;
+	if (!bNoResult)
+	{
+		Instruction.Type = Operands.Next();
+		Instruction.Result = Operands.Next();
+	}
+	Instruction.Operands = Operands.Rest();
+	if (HasGroupOperation(Op) && bGlslang && Instruction.Operands.size() > 1 &&
+		Instruction.Operands[1] == InclusiveScan)
+	{
+		Instruction.Operands[1] = ExclusiveScan; // glslang takes WavePrefix* for the other kind of prefix
+	}
+	return Instruction;
+}
+
 void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 {
 	if (Op == OpFunctionParameter && bWhole)
@@ -179,14 +212,7 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 	}
 	if (Op == OpLabel)
 	{
-		const uint32_t Label = Operands.Next();
-		CheckId(Label);
-		if (bBlockOpen || !Module.BlockIndex.emplace(Label, uint32_t(Module.Blocks.size())).second)
-		{
-			throw FSpirvError("SPIR-V: block " + std::to_string(Label) + " is malformed");
-		}
-		Module.Blocks.push_back({Label, {}, 0, 0});
-		bBlockOpen = true;
+		BeginBlock(Operands.Next());
 		return;
 	}
 	if (!bBlockOpen)
@@ -209,24 +235,7 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 		Block.Continue = Op == OpLoopMerge ? Operands.Next() : 0;
 		return;
 	}
-	FSpirvInstruction Instruction;
-	Instruction.Op = Op;
-	Instruction.File = CurrentFile;
-	Instruction.Line = CurrentLine;
-	const bool bTerminator = (Op >= OpBranch && Op <= OpUnreachable);
-	const bool bNoResult = bTerminator || Op == OpStore || Op == OpImageWrite || Op == OpControlBarrier ||
-						   Op == OpMemoryBarrier || Op == OpAtomicStore || Op == OpDemote;
-	if (!bNoResult)
-	{
-		Instruction.Type = Operands.Next();
-		Instruction.Result = Operands.Next();
-	}
-	Instruction.Operands = Operands.Rest();
-	if (HasGroupOperation(Op) && bGlslang && Instruction.Operands.size() > 1 &&
-		Instruction.Operands[1] == InclusiveScan)
-	{
-		Instruction.Operands[1] = ExclusiveScan; // glslang takes WavePrefix* for the other kind of prefix
-	}
+	FSpirvInstruction Instruction = MakeInstruction(Op, Operands);
 	if (Op == OpAccessChain || Op == OpInBoundsAccessChain)
 	{
 		FlattenChain(Instruction);
@@ -252,7 +261,31 @@ void FSpirvReader::ReadInFunction(uint16_t Op, FSpirvOperands& Operands)
 		return;
 	}
 	Block.Instructions.push_back(std::move(Instruction));
-	bBlockOpen = !bTerminator;
+	bBlockOpen = !IsSpirvTerminator(Op);
+}
+
+void FSpirvReader::ReadName(uint16_t Op, FSpirvOperands& Operands)
+{
+	const uint32_t Id = Operands.Next();
+	const uint32_t Member = Op == OpMemberName ? Operands.Next() : 0;
+	std::string& Name = Op == OpName ? Names[Id] : Op == OpString ? Strings[Id] : MemberNames[{Id, Member}];
+	Name = Operands.NextString();
+}
+
+void FSpirvReader::ReadLine(uint16_t Op, FSpirvOperands& Operands)
+{
+	if (Op == OpNoLine)
+	{
+		CurrentFile = 0;
+		CurrentLine = 0;
+		return;
+	}
+	const uint32_t File = Operands.Next();
+	if (Strings[File] != GSpirvFileOfCallers)
+	{
+		CurrentFile = FindFile(File);
+		CurrentLine = int(std::min<uint32_t>(Operands.Next(), 1u << 30));
+	}
 }
 
 void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
@@ -292,37 +325,13 @@ void FSpirvReader::ReadInstruction(uint16_t Op, FSpirvOperands Operands)
 		}
 		return;
 	case OpName:
-	{
-		const uint32_t Id = Operands.Next();
-		Names[Id] = Operands.NextString();
-		return;
-	}
 	case OpMemberName:
-	{
-		const uint32_t Id = Operands.Next();
-		const uint32_t Member = Operands.Next();
-		MemberNames[{Id, Member}] = Operands.NextString();
-		return;
-	}
 	case OpString:
-	{
-		const uint32_t Id = Operands.Next();
-		Strings[Id] = Operands.NextString();
+		ReadName(Op, Operands);
 		return;
-	}
 	case OpLine:
-	{
-		const uint32_t File = Operands.Next();
-		if (Strings[File] != GSpirvFileOfCallers)
-		{
-			CurrentFile = FindFile(File);
-			CurrentLine = int(std::min<uint32_t>(Operands.Next(), 1u << 30));
-		}
-		return;
-	}
 	case OpNoLine:
-		CurrentFile = 0;
-		CurrentLine = 0;
+		ReadLine(Op, Operands);
 		return;
 	case OpDecorate:
 	case OpMemberDecorate:
@@ -385,7 +394,7 @@ std::string GetElementSemantic(const std::string& Semantic, const std::string& N
 
 } // namespace
 
-FSpirvModule FSpirvReader::Read()
+void FSpirvReader::ReadWords()
 {
 	if (Words.size() < HeaderWords || Words[0] != Magic)
 	{
@@ -416,45 +425,48 @@ FSpirvModule FSpirvReader::Read()
 	{
 		TypeFaults.begin()->second.Throw();
 	}
+}
 
+void FSpirvReader::DecorateTypes()
+{
 	for (auto& [Id, Type] : Module.Types)
 	{
 		Type.Name = Names[Id];
-		const std::map<uint32_t, uint32_t>& Values = Decorations[Id].Values;
-		Type.bBlock = Values.count(DecorationBlock) != 0;
-		Type.bBufferBlock = Values.count(DecorationBufferBlock) != 0;
-		const auto Stride = Values.find(DecorationArrayStride);
-		Type.ArrayStride = Stride == Values.end() ? 0 : Stride->second;
+		const FSpirvDecorations& Found = Decorations[Id];
+		Type.bBlock = Found.Has(DecorationBlock);
+		Type.bBufferBlock = Found.Has(DecorationBufferBlock);
+		Type.ArrayStride = Found.Get(DecorationArrayStride);
 		for (uint32_t i = 0; i < Type.Members.size(); ++i)
 		{
 			FSpirvMember& Member = Type.Members[i];
-			const std::map<uint32_t, uint32_t>& OfMember = MemberDecorations[{Id, i}].Values;
-			const auto Get = [&OfMember](uint32_t Decoration)
-			{
-				const auto Found = OfMember.find(Decoration);
-				return Found == OfMember.end() ? 0 : Found->second;
-			};
+			const FSpirvDecorations& OfMember = MemberDecorations[{Id, i}];
 			Member.Name = MemberNames[{Id, i}];
-			Member.Offset = Get(DecorationOffset);
-			Member.MatrixStride = Get(DecorationMatrixStride);
-			Member.bRowMajor = OfMember.count(DecorationRowMajor) != 0;
-			Member.bNonWritable = OfMember.count(DecorationNonWritable) != 0;
+			Member.Offset = OfMember.Get(DecorationOffset);
+			Member.MatrixStride = OfMember.Get(DecorationMatrixStride);
+			Member.bRowMajor = OfMember.Has(DecorationRowMajor);
+			Member.bNonWritable = OfMember.Has(DecorationNonWritable);
 		}
 	}
+}
+
+void FSpirvReader::DecorateVariables()
+{
 	for (FSpirvVariable& Variable : Module.Variables)
 	{
 		const FSpirvDecorations& Found = Decorations[Variable.Id];
-		const auto Get = [&Found](uint32_t Decoration, uint32_t Default)
-		{
-			const auto Value = Found.Values.find(Decoration);
-			return Value == Found.Values.end() ? Default : Value->second;
-		};
 		Variable.Name = GetViewedBuffer(Names[Variable.Id]);
 		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
-		Variable.BuiltIn = Get(DecorationBuiltIn, BuiltInNone);
-		Variable.Location = Get(DecorationLocation, 0);
-		Variable.Counter = Get(DecorationCounterBuffer, 0);
+		Variable.BuiltIn = Found.Get(DecorationBuiltIn, BuiltInNone);
+		Variable.Location = Found.Get(DecorationLocation);
+		Variable.Counter = Found.Get(DecorationCounterBuffer);
 	}
+}
+
+FSpirvModule FSpirvReader::Read()
+{
+	ReadWords();
+	DecorateTypes();
+	DecorateVariables();
 	MakeCountersBuffers(Module);
 	Module.EntryFunction = EntryPoint;
 	if (bWhole)

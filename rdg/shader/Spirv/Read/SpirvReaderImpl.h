@@ -80,6 +80,13 @@ struct FSpirvDecorations
 {
 	std::map<uint32_t, uint32_t> Values; // decoration -> first literal
 	std::string Semantic;
+
+	bool Has(uint32_t Decoration) const { return Values.count(Decoration) != 0; }
+	uint32_t Get(uint32_t Decoration, uint32_t Default = 0) const
+	{
+		const auto Found = Values.find(Decoration);
+		return Found == Values.end() ? Default : Found->second;
+	}
 };
 
 class FSpirvReader
@@ -94,6 +101,11 @@ public:
 	FSpirvModule Read();
 
 private:
+	void ReadWords();
+	void DecorateTypes();
+	void DecorateVariables();
+	void ReadName(uint16_t Op, FSpirvOperands& Operands);
+	void ReadLine(uint16_t Op, FSpirvOperands& Operands);
 	void ReadInstruction(uint16_t Op, FSpirvOperands Operands);
 	void ReadDecoration(uint16_t Op, FSpirvOperands& Operands);
 	void ReadType(uint16_t Op, FSpirvOperands& Operands);
@@ -102,6 +114,10 @@ private:
 	void BeginFunction(FSpirvOperands& Operands);
 	void EndFunction();
 	void ReadInFunction(uint16_t Op, FSpirvOperands& Operands);
+	void BeginBlock(uint32_t Label);
+	FSpirvInstruction MakeInstruction(uint16_t Op, FSpirvOperands& Operands) const;
+	ESpirvType ReadNumberType(uint16_t Op, uint32_t Id, FSpirvOperands& Operands);
+	void CheckElement(uint32_t Id, const FSpirvType& Type, const FSpirvType& Element);
 	void DefineType(uint32_t Id, FSpirvType Type);
 	void DefineValue(uint32_t Id, uint32_t Type);
 	void CheckId(uint32_t Id) const;

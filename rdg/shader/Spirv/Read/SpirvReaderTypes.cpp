@@ -38,6 +38,23 @@ uint32_t FSpirvReader::FindFile(uint32_t StringId)
 	return Found->second;
 }
 
+/** Type is a vector, a matrix or an array. */
+void FSpirvReader::CheckElement(uint32_t Id, const FSpirvType& Type, const FSpirvType& Element)
+{
+	const bool bScalar = IsSpirvScalar(Element.Kind);
+	const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 1 && Type.Count <= 4
+					   : Type.Kind == ESpirvType::Matrix
+						   ? Element.Kind == ESpirvType::Vector && Type.Count >= 1 && Type.Count <= 4
+						   : Type.Count >= 1;
+	if (!bFits)
+	{
+		TypeFaults.emplace(Id, FSpirvTypeFault{"the type " + GetHlslTypeName(Module, Type) +
+											   " is not supported on the CPU tier; vectors have 1 to 4 components, "
+											   "matrices 1 to 4 rows and columns, "
+											   "arrays at least one element"});
+	}
+}
+
 void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 {
 	CheckId(Id);
@@ -62,18 +79,7 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 	case ESpirvType::Array:
 	{
 		const FSpirvType& Element = Contains(Type.Element);
-		const bool bScalar = IsSpirvScalar(Element.Kind);
-		const bool bFits = Type.Kind == ESpirvType::Vector ? bScalar && Type.Count >= 1 && Type.Count <= 4
-						   : Type.Kind == ESpirvType::Matrix
-							   ? Element.Kind == ESpirvType::Vector && Type.Count >= 1 && Type.Count <= 4
-							   : Type.Count >= 1;
-		if (!bFits)
-		{
-			TypeFaults.emplace(Id, FSpirvTypeFault{"the type " + GetHlslTypeName(Module, Type) +
-												   " is not supported on the CPU tier; vectors have 1 to 4 components, "
-												   "matrices 1 to 4 rows and columns, "
-												   "arrays at least one element"});
-		}
+		CheckElement(Id, Type, Element);
 		NumScalars = uint64_t(Element.NumScalars) * Type.Count;
 		break;
 	}
@@ -122,6 +128,23 @@ void FSpirvReader::DefineType(uint32_t Id, FSpirvType Type)
 	}
 }
 
+ESpirvType FSpirvReader::ReadNumberType(uint16_t Op, uint32_t Id, FSpirvOperands& Operands)
+{
+	const uint32_t Width = Operands.Next();
+	const bool bFloat = Op == OpTypeFloat;
+	const bool bSigned = !bFloat && Operands.Next() != 0;
+	const ESpirvType Real = Width == 64 ? ESpirvType::Double : Width == 16 ? ESpirvType::Half : ESpirvType::Float;
+	const ESpirvType Signed = Width == 64 ? ESpirvType::Long : Width == 16 ? ESpirvType::Short : ESpirvType::Int;
+	const ESpirvType Kind = bFloat ? Real : bSigned ? Signed : GetSpirvUnsigned(Signed);
+	if (GetSpirvBytes(Kind) * 8 != Width)
+	{
+		const std::string Name = (bFloat ? "float" : bSigned ? "int" : "uint") + std::to_string(Width) + "_t";
+		TypeFaults.emplace(
+			Id, FSpirvTypeFault{Name + " is not supported on the CPU tier; use " + (bFloat ? "float" : "int or uint")});
+	}
+	return Kind;
+}
+
 void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 {
 	const uint32_t Id = Operands.Next();
@@ -135,30 +158,9 @@ void FSpirvReader::ReadType(uint16_t Op, FSpirvOperands& Operands)
 		Type.Kind = ESpirvType::Bool;
 		break;
 	case OpTypeInt:
-	{
-		const uint32_t Width = Operands.Next();
-		const bool bSigned = Operands.Next() != 0;
-		Type.Kind = Width == 64   ? (bSigned ? ESpirvType::Long : ESpirvType::Ulong)
-					: Width == 16 ? (bSigned ? ESpirvType::Short : ESpirvType::Ushort)
-								  : (bSigned ? ESpirvType::Int : ESpirvType::Uint);
-		if (GetSpirvBytes(Type.Kind) * 8 != Width)
-		{
-			const std::string Name = (bSigned ? "int" : "uint") + std::to_string(Width) + "_t";
-			TypeFaults.emplace(Id, FSpirvTypeFault{Name + " is not supported on the CPU tier; use int or uint"});
-		}
-		break;
-	}
 	case OpTypeFloat:
-	{
-		const uint32_t Width = Operands.Next();
-		Type.Kind = Width == 64 ? ESpirvType::Double : Width == 16 ? ESpirvType::Half : ESpirvType::Float;
-		if (GetSpirvBytes(Type.Kind) * 8 != Width)
-		{
-			TypeFaults.emplace(Id,
-				FSpirvTypeFault{"float" + std::to_string(Width) + "_t is not supported on the CPU tier; use float"});
-		}
+		Type.Kind = ReadNumberType(Op, Id, Operands);
 		break;
-	}
 	case OpTypeVector:
 	case OpTypeMatrix:
 		Type.Kind = Op == OpTypeVector ? ESpirvType::Vector : ESpirvType::Matrix;

@@ -112,6 +112,11 @@ private:
 	void TellRaces(const FSpirvStep& Step, uint32_t Word, uint32_t Size, ESharedAccess Access, const FWord* Values);
 	bool ExecuteFromLog(const FSpirvStep& Step);
 	FWord TakeFromLog(const FSpirvStep& Step);
+	using FWaveResult = std::vector<FWord>; // of one thread
+	static std::vector<FWaveResult> CombineWave(const std::vector<TSpirvThread*>& Together);
+	static FWaveResult AskWave(const std::vector<TSpirvThread*>& Together);
+	FWaveResult ReadInWave(const std::vector<TSpirvThread*>& Together) const;
+	bool AgreesWith(const TSpirvThread& Other) const;
 	static void ExecuteQuad(const std::vector<TSpirvThread*>& Together);
 	void Discard();
 	bool Stores() const { return !bReplay && !bHelper; }
@@ -169,6 +174,7 @@ private:
 	void Move(const FSpirvStep& Step);
 	void FollowUndefined(const FSpirvStep& Step);
 	void CheckDefined(const FSpirvStep& Step, size_t Operand);
+	void CheckSampleDefined(const FSpirvStep& Step);
 	void ReportUndefined(const FSpirvStep& Step, uint32_t Word, bool bAtEnd);
 	void CheckOutputs();
 

@@ -235,7 +235,7 @@ bool TSpirvThread<Real>::Advance(uint64_t MaxSteps)
 		{
 			return true;
 		}
-		if (Op >= OpBranch && Op <= OpUnreachable)
+		if (IsSpirvTerminator(Op))
 		{
 			if (!ExecuteTerminator(Step))
 			{

@@ -88,6 +88,20 @@ void TSpirvThread<Real>::CheckDefined(const FSpirvStep& Step, size_t Operand)
 	}
 }
 
+template<typename Real>
+void TSpirvThread<Real>::CheckSampleDefined(const FSpirvStep& Step)
+{
+	const FSpirvImageOperands Told = GetImageOperands(*Step.I);
+	for (const size_t Operand : {size_t(1), Told.Reference, Told.Bias, Told.Lod, Told.GradX, Told.GradY, Told.Offset,
+			 Told.Offsets, Told.MinLod})
+	{
+		if (Operand)
+		{
+			CheckDefined(Step, Operand);
+		}
+	}
+}
+
 /** Values are moved about with the mark that nothing wrote them; what computes with them, or leaves the thread with
  * them, is at fault. */
 template<typename Real>
@@ -138,19 +152,9 @@ void TSpirvThread<Real>::FollowUndefined(const FSpirvStep& Step)
 	case OpImageRead:
 	case OpImageGather:
 	case OpImageDrefGather:
-	{
-		const FSpirvImageOperands Told = GetImageOperands(I);
-		for (const size_t Operand : {size_t(1), Told.Reference, Told.Bias, Told.Lod, Told.GradX, Told.GradY,
-				 Told.Offset, Told.Offsets, Told.MinLod})
-		{
-			if (Operand)
-			{
-				CheckDefined(Step, Operand);
-			}
-		}
+		CheckSampleDefined(Step);
 		Last = 0;
 		break;
-	}
 	case OpImageQuerySizeLod:
 		First = 1;
 		break;

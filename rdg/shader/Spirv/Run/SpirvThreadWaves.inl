@@ -139,115 +139,164 @@ TSpirvWord<Real> GetIdentityOf(ESpirvType Kind, uint16_t Op)
 
 } // namespace Waves
 
+/** Arithmetic over all threads, or over those before each. It gives a result for each thread. */
+template<typename Real>
+auto TSpirvThread<Real>::CombineWave(const std::vector<TSpirvThread*>& Together) -> std::vector<FWaveResult>
+{
+	const FSpirvStep& Step = Together.front()->GetWaiting();
+	const uint16_t Op = Step.I->Op;
+	const bool bReduce = Step.I->Operands[1] == 0;
+	FWaveResult Sum(Step.Size);
+	for (uint32_t i = 0; i < Step.Size; ++i)
+	{
+		Sum[i] = bReduce ? Together.front()->Value(Step, 2)[i] : Waves::GetIdentityOf<Real>(Step.Kind, Op);
+	}
+	std::vector<FWaveResult> Results;
+	for (const TSpirvThread* const Thread : Together)
+	{
+		if (!bReduce)
+		{
+			Results.push_back(Sum); // of the threads before this one
+		}
+		for (uint32_t i = 0; i < Step.Size && !(bReduce && Thread == Together.front()); ++i)
+		{
+			Sum[i] = Waves::CombineOf<Real>(Step.Kind, Op, Sum[i], Thread->Value(Step, 2)[i]);
+		}
+	}
+	if (bReduce)
+	{
+		Results.assign(Together.size(), Sum);
+	}
+	return Results;
+}
+
+/** Whether the threads have the same operand, number by number. */
+template<typename Real>
+bool TSpirvThread<Real>::AgreesWith(const TSpirvThread& Other) const
+{
+	const FSpirvStep& Step = GetWaiting();
+	const uint32_t Type = Program.Module.GetValueTypeId(Step.I->Operands[1]);
+	for (uint32_t i = 0; i < SizeOf(Step, 1); ++i)
+	{
+		const FWord A = Value(Step, 1)[i];
+		const FWord B = Other.Value(Step, 1)[i];
+		const bool bSame = Step.Kind == ESpirvType::Double ? ToSpirvReal<double>(A) == ToSpirvReal<double>(B)
+						   : IsReal(Type, i)               ? ToSpirvReal<Real>(A) == ToSpirvReal<Real>(B)
+														   : A == B;
+		if (!bSame)
+		{
+			return false;
+		}
+	}
+	return true;
+}
+
+/** An answer that is the same for all threads: a vote or the first one's value. Empty: the operation is another one. */
+template<typename Real>
+auto TSpirvThread<Real>::AskWave(const std::vector<TSpirvThread*>& Together) -> FWaveResult
+{
+	const TSpirvThread& First = *Together.front();
+	const FSpirvStep& Step = First.GetWaiting();
+	const auto Votes = [&Step](const TSpirvThread* Thread)
+	{
+		return Thread->Bits(Step, 1) != 0;
+	};
+	FWaveResult Result(Step.Size);
+	switch (Step.I->Op)
+	{
+	case OpGroupNonUniformAll:
+		Result[0] = std::all_of(Together.begin(), Together.end(), Votes);
+		return Result;
+	case OpGroupNonUniformAny:
+		Result[0] = std::any_of(Together.begin(), Together.end(), Votes);
+		return Result;
+	case OpGroupNonUniformAllEqual:
+		Result[0] = std::all_of(Together.begin(), Together.end(),
+			[&First](const TSpirvThread* Thread) { return First.AgreesWith(*Thread); });
+		return Result;
+	case OpGroupNonUniformBallot:
+		for (const TSpirvThread* const Thread : Together)
+		{
+			Result[Thread->Lane / 32] |= FWord(Votes(Thread)) << Thread->Lane % 32;
+		}
+		return Result;
+	case OpGroupNonUniformBroadcastFirst:
+		std::copy_n(First.Value(Step, 1), Step.Size, Result.begin());
+		return Result;
+	default:
+		return {};
+	}
+}
+
+/** An answer that depends on the thread's own lane or index. A lane that is not among the threads gives 0. */
+template<typename Real>
+auto TSpirvThread<Real>::ReadInWave(const std::vector<TSpirvThread*>& Together) const -> FWaveResult
+{
+	const FSpirvStep& Step = GetWaiting();
+	const FSpirvInstruction& I = *Step.I;
+	const uint32_t Index = I.Operands.size() > 2 && SizeOf(Step, 2) ? Bits(Step, 2) : 0;
+	FWaveResult Result(Step.Size);
+	const auto Read = [&](uint32_t From)
+	{
+		const auto Source = std::find_if(
+			Together.begin(), Together.end(), [From](const TSpirvThread* Thread) { return Thread->Lane == From; });
+		if (Source != Together.end())
+		{
+			std::copy_n((*Source)->Value(Step, 1), Step.Size, Result.begin());
+		}
+	};
+	switch (I.Op)
+	{
+	case OpGroupNonUniformElect:
+		Result[0] = this == Together.front();
+		break;
+	case OpGroupNonUniformBallotBitCount:
+	{
+		const uint64_t Ballot = uint64_t(Bits(Step, 2, 1)) << 32 | Bits(Step, 2, 0);
+		const uint64_t Before = I.Operands[1] == 0 ? ~uint64_t(0) : (uint64_t(1) << Lane) - 1;
+		Result[0] = FWord(__builtin_popcountll(Ballot & Before));
+		break;
+	}
+	case OpGroupNonUniformQuadBroadcast:
+		Read((Lane & ~3u) | (Index & 3));
+		break;
+	case OpGroupNonUniformQuadSwap:
+		Read(Lane ^ (Index + 1));
+		break;
+	case OpGroupNonUniformBroadcast:
+	case OpGroupNonUniformShuffle:
+		Read(Index);
+		break;
+	default:
+		break;
+	}
+	return Result;
+}
+
 template<typename Real>
 void TSpirvThread<Real>::ExecuteTogether(const std::vector<TSpirvThread*>& Together)
 {
 	const FSpirvStep& Step = Together.front()->GetWaiting();
-	const FSpirvInstruction& I = *Step.I;
-	if (!IsSpirvWave(I.Op))
+	const uint16_t Op = Step.I->Op;
+	if (!IsSpirvWave(Op))
 	{
 		ExecuteQuad(Together);
 		return;
 	}
-	std::vector<TSpirvThread*> ByLane(Together.front()->WaveSize);
-	for (TSpirvThread* const Thread : Together)
+	std::vector<FWaveResult> Results;
+	if (Op >= OpGroupNonUniformIAdd && Op <= OpGroupNonUniformBitwiseXor)
 	{
-		ByLane.at(Thread->Lane) = Thread;
+		Results = CombineWave(Together);
 	}
-	const bool bArithmetic = I.Op >= OpGroupNonUniformIAdd && I.Op <= OpGroupNonUniformBitwiseXor;
-	const size_t At = HasGroupOperation(I.Op) ? 2 : 1;
-	const auto IsReal = [&](uint32_t Operand, uint32_t Index)
+	else if (FWaveResult Same = AskWave(Together); !Same.empty())
 	{
-		return Together.front()->IsReal(Together.front()->Program.Module.GetValueTypeId(Operand), Index);
-	};
-	uint64_t Ballot = 0;
-	bool bAllEqual = true;
-	for (const TSpirvThread* const Thread : Together)
-	{
-		const bool bVotes = I.Operands.size() > 1 && Thread->SizeOf(Step, At) && Thread->Bits(Step, At) != 0;
-		Ballot |= uint64_t(bVotes) << Thread->Lane;
-		for (uint32_t i = 0; I.Op == OpGroupNonUniformAllEqual && i < Thread->SizeOf(Step, 1); ++i)
-		{
-			const FWord A = Together.front()->Value(Step, 1)[i];
-			const FWord B = Thread->Value(Step, 1)[i];
-			const bool bDouble = Step.Kind == ESpirvType::Double;
-			const bool bSame = bDouble                    ? ToSpirvReal<double>(A) == ToSpirvReal<double>(B)
-							   : IsReal(I.Operands[1], i) ? ToSpirvReal<Real>(A) == ToSpirvReal<Real>(B)
-														  : A == B;
-			bAllEqual = bAllEqual && bSame;
-		}
+		Results.assign(Together.size(), Same);
 	}
-	std::vector<std::vector<FWord>> Results;
-	std::vector<FWord> Sum(Step.Size);
-	const bool bReduce = bArithmetic && I.Operands[1] == 0;
-	for (uint32_t i = 0; bArithmetic && i < Step.Size; ++i)
+	else
 	{
-		Sum[i] = bReduce ? Together.front()->Value(Step, 2)[i] : Waves::GetIdentityOf<Real>(Step.Kind, I.Op);
 		for (const TSpirvThread* const Thread : Together)
 		{
-			const bool bStart = bReduce && Thread == Together.front();
-			Sum[i] = bReduce && !bStart ? Waves::CombineOf<Real>(Step.Kind, I.Op, Sum[i], Thread->Value(Step, 2)[i])
-										: Sum[i];
-		}
-	}
-	for (TSpirvThread* const Thread : Together)
-	{
-		std::vector<FWord>& Out = Results.emplace_back(Step.Size);
-		const auto Read = [&](uint32_t From)
-		{
-			const TSpirvThread* const Source = From < ByLane.size() ? ByLane[From] : nullptr;
-			for (uint32_t i = 0; Source && i < Step.Size; ++i)
-			{
-				Out[i] = Source->Value(Step, 1)[i];
-			}
-		};
-		const uint32_t Index = I.Operands.size() > 2 && Thread->SizeOf(Step, 2) ? Thread->Bits(Step, 2) : 0;
-		switch (I.Op)
-		{
-		case OpGroupNonUniformElect:
-			Out[0] = Thread == Together.front();
-			break;
-		case OpGroupNonUniformAll:
-			Out[0] = std::all_of(
-				Together.begin(), Together.end(), [&](const TSpirvThread* Other) { return Other->Bits(Step, 1) != 0; });
-			break;
-		case OpGroupNonUniformAny:
-			Out[0] = Ballot != 0;
-			break;
-		case OpGroupNonUniformAllEqual:
-			Out[0] = bAllEqual;
-			break;
-		case OpGroupNonUniformBroadcast:
-		case OpGroupNonUniformShuffle:
-			Read(Index);
-			break;
-		case OpGroupNonUniformBroadcastFirst:
-			Read(Together.front()->Lane);
-			break;
-		case OpGroupNonUniformBallot:
-			Out[0] = FWord(uint32_t(Ballot));
-			Out[1] = FWord(uint32_t(Ballot >> 32));
-			break;
-		case OpGroupNonUniformBallotBitCount:
-		{
-			const uint64_t Bits = uint64_t(Thread->Bits(Step, 2, 1)) << 32 | Thread->Bits(Step, 2, 0);
-			const uint64_t Before = I.Operands[1] == 0 ? ~uint64_t(0) : (uint64_t(1) << Thread->Lane) - 1;
-			Out[0] = FWord(__builtin_popcountll(Bits & Before));
-			break;
-		}
-		case OpGroupNonUniformQuadBroadcast:
-			Read((Thread->Lane & ~3u) | (Index & 3));
-			break;
-		case OpGroupNonUniformQuadSwap:
-			Read(Thread->Lane ^ (Index + 1));
-			break;
-		default:
-			Out = Sum;
-			for (uint32_t i = 0; !bReduce && i < Step.Size; ++i)
-			{
-				Sum[i] = Waves::CombineOf<Real>(Step.Kind, I.Op, Sum[i], Thread->Value(Step, 2)[i]);
-			}
-			break;
+			Results.push_back(Thread->ReadInWave(Together));
 		}
 	}
 	for (size_t i = 0; i < Together.size(); ++i)

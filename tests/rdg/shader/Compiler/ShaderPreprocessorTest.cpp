@@ -39,7 +39,7 @@ FPreprocessed Preprocess(const std::string& Text, const std::map<std::string, st
 	std::istringstream Lines(Preprocessor.GetText());
 	for (std::string Line; std::getline(Lines, Line);)
 	{
-		Result.Text += Line.rfind("#line", 0) == 0 ? std::string() : Line + "\n";
+		Result.Text += Line.starts_with("#line") ? std::string() : Line + "\n";
 	}
 	for (const FDiagnostic& Error : Preprocessor.GetErrors())
 	{
