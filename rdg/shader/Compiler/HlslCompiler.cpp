@@ -14,10 +14,11 @@ namespace Drydock
 namespace
 {
 
-const char* GetChosen()
+/** The program that a variable of the environment names; null where it names none. */
+const char* GetChosenProgram(const char* Name)
 {
-	const char* const Chosen = std::getenv("DRYDOCK_HLSL_COMPILER");
-	return Chosen && *Chosen ? Chosen : nullptr;
+	const char* const Text = std::getenv(Name);
+	return Text && *Text ? Text : nullptr;
 }
 
 const char* Choose(EShaderStage Stage, const char* Compute, const char* Pixel, const char* Vertex)
@@ -58,7 +59,7 @@ bool SplitPlace(const std::string& Text, FDiagnostic& Place)
 
 std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request)
 {
-	const char* const Chosen = GetChosen();
+	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
 	if (!Chosen)
 	{
 		return {};
@@ -89,11 +90,23 @@ std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Reque
 	return Compiler;
 }
 
+const char* GetChosenGlslang()
+{
+	return GetChosenProgram("DRYDOCK_GLSLANG");
+}
+
 std::string GetHlslCompilerId(const FShaderCompileRequest& Request)
 {
-	const std::optional<FHlslCompiler> Compiler =
-		IsSpirvFile(Request.VirtualPath) ? std::nullopt : FindHlslCompiler(Request);
-	return Compiler ? GetCompilerId(Compiler->Program) : std::string();
+	if (IsSpirvFile(Request.VirtualPath))
+	{
+		return {};
+	}
+	if (const std::optional<FHlslCompiler> Compiler = FindHlslCompiler(Request))
+	{
+		return GetCompilerId(Compiler->Program);
+	}
+	const char* const Glslang = GetChosenGlslang();
+	return Glslang ? GetCompilerId(FindProgram(Glslang)) : std::string();
 }
 
 std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler, const FShaderCompileRequest& Request,

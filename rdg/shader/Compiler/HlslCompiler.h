@@ -33,8 +33,12 @@ struct FHlslCompiler
  * is not there, or its base name begins with none of dxc, slangc and glslang. */
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
-/** Path, size and time of that program, hashed: what it made is kept apart from what others made. Empty where
- * DRYDOCK_HLSL_COMPILER is not set, and for SPIR-V, which needs none. Throws as FindHlslCompiler. */
+/** The program that DRYDOCK_GLSLANG names, to be run in place of drydock's own front end; null where it names none. */
+const char* GetChosenGlslang();
+
+/** Path, size and time of the program that DRYDOCK_HLSL_COMPILER or DRYDOCK_GLSLANG names, hashed: its results are kept
+ * apart from those of others. Empty where neither is set, and for SPIR-V, which needs none. Throws as FindHlslCompiler.
+ */
 std::string GetHlslCompilerId(const FShaderCompileRequest& Request);
 
 /** The program and its arguments: from the file Input, SPIR-V in the file Output. */

@@ -6,13 +6,14 @@
 #include "FrontEndProcess.h"
 #include "HlslCompiler.h"
 #include "HlslTokens.h"
+#include "InstallPaths.h"
 #include "RegularFile.h"
 #include "SpirvFile.h"
+#include "SpirvOps.h"
 #include "TemporaryFolder.h"
+#include "TextTools.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
-#include "TextTools.h"
-#include "SpirvOps.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -197,18 +198,19 @@ public:
 			Compiler = *Own;
 			return;
 		}
-		const char* const Chosen = std::getenv("DRYDOCK_GLSLANG");
-		const bool bChosen = Chosen && *Chosen;
-		Compiler.Program = bChosen ? std::string() : FindFrontEndProgram();
-		bKept = !Compiler.Program.empty();
-		Compiler.Program = bKept ? Compiler.Program : FindProgram(bChosen ? Chosen : "glslangValidator");
+		const char* const Chosen = GetChosenGlslang();
+		bKept = !Chosen;
+		Compiler.Program = bKept ? FindFrontEndProgram() : FindProgram(Chosen);
 		if (Compiler.Program.empty())
 		{
-			throw FError({ESeverity::Error, 6012,
-							 "cannot compile '" + Request.EntryPoint +
-								 "': glslangValidator was not found; install the package glslang-tools",
+			// No other glslang takes its place: it rounds sums of constants otherwise, and the cache would keep them.
+			const std::string Missing =
+				bKept ? "libexec/drydock/drydock_front_end is not beside " + GetLibraryPath() +
+							"; build or install drydock again"
+					  : std::string("there is no program '") + Chosen + "', which DRYDOCK_GLSLANG names";
+			throw FError({ESeverity::Error, 6012, "cannot compile '" + Request.EntryPoint + "': " + Missing,
 							 Request.VirtualPath, 0, 0, {}},
-				ExitUsage);
+				bKept ? ExitFiles : ExitUsage);
 		}
 	}
 

@@ -1,7 +1,6 @@
 // Compiles HLSL to SPIR-V by glslang, in a process that is kept (FrontEndProcess.h): a crash or an endless loop of its
-// parser costs one error message. If that program does not exist, glslangValidator (Debian package glslang-tools) is
-// run for each shader. DRYDOCK_GLSLANG names a program to run so in its place, DRYDOCK_GLSLANG_SECONDS the time for a
-// shader, 60 by default.
+// parser costs one error message. DRYDOCK_GLSLANG names a glslangValidator to run for each shader in its place,
+// DRYDOCK_GLSLANG_SECONDS the time for a shader, 60 by default.
 #pragma once
 
 #include "Diagnostics.h"

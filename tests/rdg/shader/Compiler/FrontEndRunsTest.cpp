@@ -68,6 +68,17 @@ TEST_F(FFrontEndRuns, OnceForReflectionAndKernelsOfAnEdit)
 	}
 }
 
+TEST_F(FFrontEndRuns, OncePerProgramBecauseEachMayRoundOtherwise)
+{
+	AskForAll(0);
+	EXPECT_EQ(1, Count());
+	const FScopedVariable Other(
+		"DRYDOCK_GLSLANG", Scratch.AddScript("other",
+							   "echo run >> " + (Scratch.Path / "runs").string() + "\nexec glslangValidator \"$@\""));
+	AskForAll(0);
+	EXPECT_EQ(2, Count());
+}
+
 TEST_F(FFrontEndRuns, OnceInTheOneProcessThatIsKept)
 {
 	const FScopedVariable Kept("DRYDOCK_GLSLANG", std::nullopt);

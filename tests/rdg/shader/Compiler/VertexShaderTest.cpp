@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "FrontEndProcess.h"
 #include "ShaderHarness.h"
 
 #include <cmath>
@@ -157,11 +158,9 @@ TEST(VertexShader, ComesFromTheCacheWithoutAFrontEnd)
 	Input.Attributes[0][1] = 2;
 	EXPECT_EQ(6, RunVertex(Request, Input).Position[1]);
 	ForgetCompiledShaders();
-	const char* const Before = std::getenv("DRYDOCK_GLSLANG");
-	const std::string Kept = Before ? Before : "";
-	setenv("DRYDOCK_GLSLANG", "/bin/false", 1);
+	const int64_t Before = GetFrontEndCounts().Shaders;
 	EXPECT_EQ(6, RunVertex(Request, Input).Position[1]);
-	Before ? setenv("DRYDOCK_GLSLANG", Kept.c_str(), 1) : unsetenv("DRYDOCK_GLSLANG");
+	EXPECT_EQ(Before, GetFrontEndCounts().Shaders);
 }
 
 TEST(VertexShader, WhatNobodyFeedsOrReadsIsRefusedByName)
