@@ -26,7 +26,7 @@ namespace Drydock
 namespace
 {
 
-constexpr int DefaultTimeLimitSeconds = 60;
+constexpr int DefaultFrontEndSeconds = 60;
 
 /** "/X.usf:12: text" or "/X.usf(12): text" -> file, line and text; false when there is no such head. */
 bool SplitPosition(const std::string& Text, std::string& File, int& Line, std::string& Rest)
@@ -230,7 +230,7 @@ public:
 	}
 
 	const FShaderCompileRequest& Request;
-	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultTimeLimitSeconds);
+	const int TimeLimitSeconds = GetTimeLimitSeconds("DRYDOCK_GLSLANG_SECONDS", DefaultFrontEndSeconds);
 
 private:
 	FHlslCompiler Compiler;
