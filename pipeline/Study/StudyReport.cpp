@@ -18,7 +18,7 @@ namespace
 
 using FRow = std::vector<std::string>;
 
-/** The columns of MakeStudyTable. Where there is no room, the column that matters least for the choice goes first. */
+/** The columns of MakeStudyTable. The column that matters least for the choice goes first if there is no room. */
 std::vector<FTextColumn> GetColumns(const std::string& Metric)
 {
 	constexpr ETextColumn Number = ETextColumn::Number;
