@@ -38,6 +38,17 @@ FImage RunREDDiffusion(const FCase& Case)
 	return RunChain(Case, Parameters);
 }
 
+FCase WithMaximum(FCase Case)
+{
+	Case.Variant = 1;
+	return Case;
+}
+
+FImage RunREDMaximum(const FCase& Case)
+{
+	return RunREDDiffusion<false>(WithMaximum(Case));
+}
+
 /** Area (Sigma) 3.5; Intensity: alpha of the colour, 1. */
 template<bool bAsPrinted>
 FImage RunCharaGlow(const FCase& Case)
@@ -98,6 +109,11 @@ FImage REDDiffusionFormula(const FCase& Case)
 											: std::pow(std::max(InA, InB), Power) + std::max(std::max(A, B) - 1, 0.0);
 	}
 	return FImage(Case.Image.Width, Case.Image.Height, Result);
+}
+
+FImage REDMaximumFormula(const FCase& Case)
+{
+	return REDDiffusionFormula(WithMaximum(Case));
 }
 
 /** Intensity: the blend, 1; saturation 1. Variants: kernels of the corrected form. */
@@ -172,6 +188,7 @@ FImage CharaGlowFormula(const FCase& Case)
 
 const FRunRegistration REDRuns({
 	{"RED diffusion filter", {.Run = RunREDDiffusion<false>, .Formula = REDDiffusionFormula, .Reach = 12, .Gain = 2}},
+	{"RED diffusion filter by maximum", {.Run = RunREDMaximum, .Formula = REDMaximumFormula, .Reach = 12}},
 	{"RED diffusion filter as printed", {.Run = RunREDDiffusion<true>, .Reach = 18}},
 	{"RED soft focus: seven taps, thirteen texels, nine taps", {.Run = RunREDSoftFocus, .NumVariants = 3, .Reach = 18}},
 	{"RED glow", {.Run = RunREDGlow, .Formula = REDGlowFormula, .Reach = 12, .Gain = 2}},
