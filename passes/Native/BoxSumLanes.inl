@@ -341,6 +341,7 @@ struct TBoxSum
 		for (int32_t Y = 0; Y < Height; ++Y)
 		{
 			DecodeCodes(FirstX, FirstY + Y, Count, Strip);
+			StoreRaw(Strip + Count, FInts{}); // the last step reads them, and sums of what memory holds could overflow
 			FInts Before = {};
 			Sums[0] = 0;
 			for (int32_t i = 0; i < Count; i += N)
