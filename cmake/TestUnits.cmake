@@ -38,7 +38,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 # How many test files one unit has at most: an edit of one of them compiles them all.
-set(DRYDOCK_TEST_UNIT_FILES 8)
+set(DRYDOCK_TEST_UNIT_FILES 16)
 
 # drydock_unite_tests(TARGET SOURCES): the list's *Test.cpp become a few units of their folder each; other files, and those
 # that write into namespaces of others, stay.

@@ -3,6 +3,7 @@
 
 #include "IncludeGraph.h"
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -14,12 +15,16 @@ TEST(OutputStreams, AreWrittenByPrintText)
 	const std::regex Direct(
 		"\\b(printf|puts|putchar|perror) ?\\(|\\bstd::(cout|cerr|clog)\\b|"
 		"\\b(fprintf|vfprintf|fputs|fputc|fwrite|write)\\([^;]{0,300}\\b(stdout|stderr|STD(OUT|ERR)_FILENO)\\b");
+	const char* const Words[] = {"printf", "puts", "putchar", "perror", "std::c", "stdout", "stderr", "_FILENO"};
 	std::set<std::string> Found;
 	for (const auto& [Path, Text] :
 		Drydock::Test::ReadSources(DRYDOCK_TEST_SOURCE_DIR, {"rdg", "settings", "passes", "pipeline"}))
 	{
+		// Most files have none of these words: the search takes seconds, this takes none.
+		const bool bMayWrite = std::any_of(std::begin(Words), std::end(Words),
+			[&Source = Text](const char* Word) { return Source.find(Word) != std::string::npos; });
 		std::smatch Match;
-		if (std::regex_search(Text, Match, Direct))
+		if (bMayWrite && std::regex_search(Text, Match, Direct))
 		{
 			Found.insert(Path);
 			EXPECT_TRUE(Exceptions.count(Path) > 0) << Path << " writes by itself: " << Match.str();
