@@ -3,8 +3,9 @@
 
 unit_tests.py UNIT prints a line for each test program: its name, a tab, a filter for GTEST_FILTER. UNIT is a file's name
 with or without folders and ending (passes/Native/TapSum.cpp, TapSum). A test file is the unit's where its own name begins
-with the unit's, or where it includes the unit's header; of a unit without such a file, all test files of its room. It prints nothing where UNIT is a pattern that one of ctest's names
-matches: that comes first. Exit code 1, with the nearest names, where there is neither.
+with the unit's, or where it includes the unit's header; of a unit without such a file, all test files of its room. It
+prints nothing if UNIT is a pattern that one of ctest's names matches: that comes first. Exit code 1,
+with the nearest names, where there is neither.
 """
 import difflib
 import pathlib

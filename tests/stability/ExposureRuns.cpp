@@ -148,7 +148,8 @@ FImage RunLocalExposure(const FCase& Case)
 	return Run.Execute(AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-/** Of a flat picture: the base is the mean of the channels, middle grey 0.18, the contrast 0.5 on both sides. */
+/** The formula for a flat picture: the base is the mean of the channels, middle grey 0.18, the contrast 0.5 on both
+ * sides. */
 FImage LocalExposureFormula(const FCase& Case)
 {
 	const FTexel& Flat = Case.Image.At(0, 0);

@@ -92,7 +92,7 @@ double ScreenOfLight(double A, double B)
 	return ScreenValues(std::min(A, 1.0), std::min(B, 1.0)) + std::max(A - 1, 0.0) + std::max(B - 1, 0.0);
 }
 
-/** Of a flat picture, whose blur is the picture. */
+/** The formula for a flat picture, whose blur is the picture. */
 FImage REDDiffusionFormula(const FCase& Case)
 {
 	const FTexel Flat = Case.Image.At(0, 0);
@@ -136,7 +136,7 @@ FImage RunREDGlow(const FCase& Case)
 	return RunChain(Case, Parameters);
 }
 
-/** Of a flat picture. */
+/** The formula for a flat picture. */
 FImage REDGlowFormula(const FCase& Case)
 {
 	FTexel Result = Case.Image.At(0, 0);

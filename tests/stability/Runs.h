@@ -28,7 +28,7 @@ struct FRun
 	double Shrink = 1.0;
 	/** How far beyond the pixels under it a result looks, pixels of the input. */
 	double Reach = 0.0;
-	/** What a constant and the sum of the light are multiplied by. */
+	/** The factor for a constant and for the sum of the light. */
 	double Gain = 1.0;
 };
 

@@ -18,7 +18,7 @@ namespace Stability
 namespace
 {
 
-/** What gtest takes for a name. */
+/** A name that gtest accepts. */
 std::string MakeName(std::string Name)
 {
 	for (char& Letter : Name)

@@ -85,7 +85,7 @@ FImage RunToonShadowLighting(const FCase& Case)
 	return Run.Execute(AddToonShadowLightingPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
-/** Of a flat picture. */
+/** The formula for a flat picture. */
 FImage ToonShadowBlurFormula(const FCase& Case)
 {
 	const FTexel& Flat = Case.Image.At(0, 0);

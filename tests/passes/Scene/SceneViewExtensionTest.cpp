@@ -4,7 +4,6 @@
 #include "ExtensionFactory.h"
 #include "PostProcess/PostProcessing.h"
 #include "GameFramework/WorldSettings.h"
-#include "Kismet/KismetRenderingLibrary.h"
 #include "ScenePrivate.h"
 
 using Drydock::EExtensionHook;
@@ -212,25 +211,6 @@ TEST(World, IsFoundFromAnObjectAndHasSettings)
 	EXPECT_EQ(100.0f, GWorld->GetWorldSettings()->WorldToMeters);
 	ASSERT_NE(nullptr, GWorld->Scene->GetRenderScene());
 	EXPECT_EQ(GWorld, GWorld->Scene->GetRenderScene()->World);
-}
-
-TEST(RenderTarget, IsClearedByTheRenderingLibrary)
-{
-	const std::unique_ptr<UTextureRenderTarget2D> Target(
-		UKismetRenderingLibrary::CreateRenderTarget2D(nullptr, 3, 2, RTF_RGBA32f));
-	ASSERT_NE(nullptr, Target);
-	EXPECT_EQ(3.0f, Target->GetSurfaceWidth());
-	EXPECT_EQ(2.0f, Target->GetSurfaceHeight());
-	UKismetRenderingLibrary::ClearRenderTarget2D(nullptr, Target.get(), FLinearColor(0.25f, 0.5f, 2.0f, 0.0f));
-	TArray<FLinearColor> Pixels;
-	FRHICommandListExecutor::GetImmediateCommandList().ReadSurfaceData(
-		Target->GetResource()->TextureRHI, FIntRect(0, 0, 3, 2), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
-	ASSERT_EQ(6, Pixels.Num());
-	for (const FLinearColor& Pixel : Pixels)
-	{
-		EXPECT_EQ(FLinearColor(0.25f, 0.5f, 2.0f, 0.0f), Pixel);
-	}
-	EXPECT_EQ(nullptr, UKismetRenderingLibrary::CreateRenderTarget2D(nullptr, 0, 2));
 }
 
 TEST(PostProcessMaterialInputs, UntouchedPictureIsTheInputItself)

@@ -1,11 +1,8 @@
-// The one world, its actors, and render targets with pixels.
+// The one world, its actors and its subsystems.
 #include <gtest/gtest.h>
 
 #include "Engine/Engine.h"
-#include "Engine/TextureRenderTarget2D.h"
-#include "EngineModule.h"
 #include "EngineUtils.h"
-#include "Modules/ModuleManager.h"
 #include "SceneInterface.h"
 #include "Subsystems/WorldSubsystem.h"
 
@@ -135,26 +132,4 @@ TEST(World, SubsystemsOfItsTypeStart)
 	const UWorld* const None = nullptr;
 	EXPECT_EQ(nullptr, UWorld::GetSubsystem<UTestWorldSubsystem>(None));
 	EXPECT_EQ(nullptr, UGameInstance::GetSubsystem<UTestWorldSubsystem>(GWorld->GetGameInstance()));
-}
-
-TEST(TextureRenderTarget, HoldsItsClearColorInItsFormat)
-{
-	UTextureRenderTarget2D Target;
-	EXPECT_EQ(nullptr, Target.GetRenderTargetResource());
-	Target.ClearColor = FLinearColor(0.25f, 0.5f, 2.0f, 1.0f);
-	Target.InitAutoFormat(3, 2);
-	FRHITexture* const Texture = Target.GetRenderTargetResource()->GetRenderTargetTexture();
-	EXPECT_EQ(PF_FloatRGBA, Texture->GetFormat());
-	EXPECT_EQ(FIntPoint(3, 2), Target.GameThread_GetRenderTargetResource()->GetSizeXY());
-	TArray<FLinearColor> Pixels;
-	FRHICommandListExecutor::GetImmediateCommandList().ReadSurfaceData(
-		Texture, FIntRect(0, 0, 3, 2), Pixels, FReadSurfaceDataFlags(RCM_MinMax));
-	EXPECT_EQ(Target.ClearColor, Pixels[5]);
-	Target.InitCustomFormat(1, 1, PF_B8G8R8A8, false);
-	EXPECT_EQ(PF_B8G8R8A8, Target.GetRenderTargetResource()->TextureRHI->GetFormat());
-}
-
-TEST(RendererModule, IsLoadedByName)
-{
-	EXPECT_EQ(&GetRendererModule(), &FModuleManager::LoadModuleChecked<IRendererModule>(TEXT("Renderer")));
 }
