@@ -109,21 +109,24 @@ inline FLocalExposureTextures AddLocalExposure(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& Input)
 {
 	FLocalExposureTextures Textures;
-	Textures.Parameters.ContrastAndThreshold = FVector4f(0.8f, 0.8f, 0.0f, 0.0f);
+	Textures.Parameters.HighlightContrastScale = 0.8f;
+	Textures.Parameters.ShadowContrastScale = 0.8f;
 	Textures.Parameters.DetailStrength = 1.0f;
 	Textures.Parameters.BlurredLuminanceBlend = 0.6f;
 	Textures.Parameters.MiddleGreyExposureCompensation = 1.0f;
-	Textures.Parameters.HistogramScale = 0.06f;
-	Textures.Parameters.HistogramBias = 0.5f;
-	Textures.Parameters.LuminanceMin = 0.001f;
+	Textures.EyeAdaptation.HistogramScale = 0.06f;
+	Textures.EyeAdaptation.HistogramBias = 0.5f;
+	Textures.EyeAdaptation.LuminanceMin = 0.001f;
 	FDownsamplePassInputs Half;
 	Half.Name = TEXT("Half");
 	Half.SceneColor = Input;
 	const FScreenPassTexture Small = AddDownsamplePass(GraphBuilder, View, Half);
-	Textures.BilateralGrid = AddLocalExposurePass(GraphBuilder, View, Textures.Parameters, Small);
-	Textures.BilateralGridInputSize = Small.ViewRect.Size();
+	const FIntPoint Size = Small.ViewRect.Size();
+	Textures.Parameters.BilateralGridUVScale =
+		FVector2f(Size) / FVector2f(FIntPoint::DivideAndRoundUp(Size, GBilateralGridCellSize) * GBilateralGridCellSize);
+	Textures.BilateralGrid = AddLocalExposurePass(GraphBuilder, View, Textures.EyeAdaptation, Small);
 	Textures.BlurredLogLuminance =
-		AddLocalExposureBlurredLogLuminancePass(GraphBuilder, View, Textures.Parameters, Small, 10.0f);
+		AddLocalExposureBlurredLogLuminancePass(GraphBuilder, View, Textures.EyeAdaptation, Small, 10.0f);
 	return Textures;
 }
 
@@ -137,6 +140,7 @@ inline FAddPasses Tonemap(ELens Lens)
 		Settings.SceneFringeIntensity = bEverything ? 0.5f : 0.0f;
 		Settings.FilmGrainIntensity = bEverything ? 0.1f : 0.0f;
 		Settings.Sharpen = bEverything ? 0.3f : 0.0f;
+		FLocalExposureTextures LocalExposure;
 		FTonemapInputs Inputs;
 		Inputs.SceneColor = Input;
 		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
@@ -151,7 +155,8 @@ inline FAddPasses Tonemap(ELens Lens)
 		}
 		if (bEverything)
 		{
-			Inputs.LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+			LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+			LocalExposure.GiveTo(Inputs);
 		}
 		return AddTonemapPass(GraphBuilder, View, Inputs);
 	};
@@ -165,9 +170,11 @@ inline FAddPasses SetUpBloom(bool bLocalExposure)
 		Inputs.SceneColor = Input;
 		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(GraphBuilder, 1.0f);
 		Inputs.Threshold = 0.5f;
+		FLocalExposureTextures LocalExposure;
 		if (bLocalExposure)
 		{
-			Inputs.LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+			LocalExposure = AddLocalExposure(GraphBuilder, View, Input);
+			LocalExposure.GiveTo(Inputs);
 		}
 		return AddBloomSetupPass(GraphBuilder, View, Inputs);
 	};

@@ -40,8 +40,7 @@ public:
 /** Parameters of both ways of metering. */
 BEGIN_SHADER_PARAMETER_STRUCT(FAdaptationParameters, )
 	SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, EyeAdaptation)
-	SHADER_PARAMETER(FVector4f, AverageLocalContrastAndThreshold)
-	SHADER_PARAMETER(float, AverageLocalMiddleGreyExposureCompensation)
+	SHADER_PARAMETER_STRUCT(FLocalExposureParameters, LocalExposure)
 	SHADER_PARAMETER(float, bAverageLocalExposure)
 	SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<float4>, LastEyeAdaptationBuffer)
 	SHADER_PARAMETER_RDG_BUFFER_UAV(RWStructuredBuffer<float4>, RWEyeAdaptationBuffer)
@@ -112,8 +111,7 @@ FAdaptationParameters MakeAdaptationParameters(
 	Parameters.EyeAdaptation = Inputs.Parameters;
 	if (Inputs.LocalExposure != nullptr)
 	{
-		Parameters.AverageLocalContrastAndThreshold = Inputs.LocalExposure->ContrastAndThreshold;
-		Parameters.AverageLocalMiddleGreyExposureCompensation = Inputs.LocalExposure->MiddleGreyExposureCompensation;
+		Parameters.LocalExposure = *Inputs.LocalExposure;
 		Parameters.bAverageLocalExposure = 1.0f;
 	}
 	const FRDGBufferRef Last = Inputs.LastEyeAdaptationBuffer ? Inputs.LastEyeAdaptationBuffer

@@ -55,7 +55,7 @@ struct FBilateralGridWork
 {
 	FIntRect Rect; // of the input
 	double OneOverPreExposure = 1.0;
-	FLocalExposureParameters Parameters;
+	FEyeAdaptationParameters Parameters;
 };
 
 /** One cell of the grid, all depths. */
@@ -120,42 +120,21 @@ bool IsLocalExposureAppliedToBloom()
 	return CVarBloomApplyLocalExposure.GetValueOnRenderThread();
 }
 
-FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures)
-{
-	FLocalExposureShaderParameters Parameters;
-	if (!Textures.IsValid())
-	{
-		return Parameters;
-	}
-	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
-	const FIntPoint Cells = Textures.BilateralGrid->Desc.Extent;
-	Parameters.Settings = Textures.Parameters;
-	Parameters.BilateralGridUVScale = FVector2f(
-		static_cast<float>(Textures.BilateralGridInputSize.X) / static_cast<float>(GBilateralGridCellSize * Cells.X),
-		static_cast<float>(Textures.BilateralGridInputSize.Y) / static_cast<float>(GBilateralGridCellSize * Cells.Y));
-	Parameters.BilateralGrid = Textures.BilateralGrid;
-	Parameters.BilateralGridSampler = BilinearClamp;
-	Parameters.BlurredLogLuminance = Textures.BlurredLogLuminance.Texture;
-	Parameters.BlurredLogLuminanceSampler = BilinearClamp;
-	Parameters.Blurred =
-		GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Textures.BlurredLogLuminance));
-	return Parameters;
-}
-
 } // namespace Drydock
 
 FLocalExposureParameters GetLocalExposureParameters(
-	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
+	const FViewInfo& View, FIntPoint GridInputSize, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
+	const FVector2f Cells(FIntPoint::DivideAndRoundUp(GridInputSize, GBilateralGridCellSize) * GBilateralGridCellSize);
 	FLocalExposureParameters Parameters;
-	Parameters.ContrastAndThreshold =
-		FVector4f(Settings.LocalExposureHighlightContrastScale, Settings.LocalExposureShadowContrastScale, 0.0f, 0.0f);
+	Parameters.HighlightContrastScale = Settings.LocalExposureHighlightContrastScale;
+	Parameters.ShadowContrastScale = Settings.LocalExposureShadowContrastScale;
 	if (View.EngineProfile.bLocalExposureThresholds)
 	{
-		Parameters.ContrastAndThreshold.Z =
+		Parameters.HighlightThreshold =
 			Settings.LocalExposureHighlightThreshold * Settings.LocalExposureHighlightThresholdStrength;
-		Parameters.ContrastAndThreshold.W =
+		Parameters.ShadowThreshold =
 			Settings.LocalExposureShadowThreshold * Settings.LocalExposureShadowThresholdStrength;
 	}
 	Parameters.DetailStrength = Settings.LocalExposureDetailStrength;
@@ -163,14 +142,12 @@ FLocalExposureParameters GetLocalExposureParameters(
 	const float Compensation = EyeAdaptation.ExposureCompensationSettings * EyeAdaptation.ExposureCompensationCurve;
 	Parameters.MiddleGreyExposureCompensation =
 		std::exp2(FMath::Clamp(Settings.LocalExposureMiddleGreyBias, -60.0f, 60.0f)) / (bManual ? Compensation : 1.0f);
-	Parameters.HistogramScale = EyeAdaptation.HistogramScale;
-	Parameters.HistogramBias = EyeAdaptation.HistogramBias;
-	Parameters.LuminanceMin = EyeAdaptation.LuminanceMin;
+	Parameters.BilateralGridUVScale = FVector2f(GridInputSize) / Cells;
 	return Parameters;
 }
 
 FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor)
+	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor)
 {
 	check(SceneColor.IsValid());
 	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(SceneColor.ViewRect.Size(), GBilateralGridCellSize);
@@ -182,7 +159,7 @@ FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& 
 	auto* PassParameters = GraphBuilder.AllocParameters<FBilateralGridParameters>();
 	PassParameters->InputTexture = SceneColor.Texture;
 	PassParameters->BilateralGrid = GraphBuilder.CreateUAV(Grid);
-	const FBilateralGridWork Work{SceneColor.ViewRect, 1.0 / static_cast<double>(View.PreExposure), Parameters};
+	const FBilateralGridWork Work{SceneColor.ViewRect, 1.0 / static_cast<double>(View.PreExposure), EyeAdaptation};
 	GraphBuilder.AddPass(RDG_EVENT_NAME("LocalExposureBilateralGrid %dx%dx%d", Cells.X, Cells.Y, GBilateralGridDepth),
 		PassParameters, ERDGPassFlags::Compute,
 		[Input = SceneColor.Texture, Grid, Work, Cells](FRHIComputeCommandList&)
@@ -197,19 +174,19 @@ FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& 
 	return Grid;
 }
 
-FScreenPassTexture AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor, float KernelSizePercent)
+FRDGTextureRef AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor, float KernelSizePercent)
 {
 	check(SceneColor.IsValid());
-	const FScreenPassRenderTarget Output =
-		Drydock::CreateRasterTargetLike(GraphBuilder, SceneColor, TEXT("LogLuminance"), PF_R16F);
+	const FScreenPassRenderTarget Output = Drydock::CreateSmallRasterTarget(
+		GraphBuilder, SceneColor, SceneColor.ViewRect.Size(), TEXT("LogLuminance"), PF_R16F);
 
 	auto* PassParameters = GraphBuilder.AllocParameters<FSetupLogLuminancePS::FParameters>();
 	PassParameters->View = View.ViewUniformBuffer;
 	PassParameters->Input = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(SceneColor));
 	PassParameters->Output = GetScreenPassTextureViewportParameters(FScreenPassTextureViewport(Output));
 	PassParameters->InputTexture = SceneColor.Texture;
-	PassParameters->LuminanceMin = Parameters.LuminanceMin;
+	PassParameters->LuminanceMin = EyeAdaptation.LuminanceMin;
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 	TShaderMapRef<FSetupLogLuminancePS> PixelShader(View.ShaderMap);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
@@ -222,5 +199,5 @@ FScreenPassTexture AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBui
 	BlurInputs.Filter = FScreenPassTexture(Output.Texture, Output.ViewRect);
 	BlurInputs.KernelSizePercent = KernelSizePercent;
 	BlurInputs.UseMirrorAddressMode = true;
-	return AddGaussianBlurPass(GraphBuilder, View, BlurInputs);
+	return AddGaussianBlurPass(GraphBuilder, View, BlurInputs).Texture;
 }

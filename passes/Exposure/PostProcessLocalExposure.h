@@ -18,57 +18,55 @@
 #pragma once
 
 #include "CoreMinimal.h"
+#include "Exposure/PostProcessEyeAdaptationParameters.h"
 #include "RenderGraphFwd.h"
 #include "ScreenPass.h"
 #include "ShaderParameterMacros.h"
 
 class FRDGBuilder;
 class FViewInfo;
-class FEyeAdaptationParameters;
 struct FFinalPostProcessSettings;
 
 /** Texels of the grid's input along a cell. */
 constexpr int32 GBilateralGridCellSize = 64;
 constexpr int32 GBilateralGridDepth = 32;
 
-/** The settings as shaders read them. */
+/** The settings as shaders read them, beside FEyeAdaptationParameters. Thresholds in EV. */
 BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureParameters, DRYDOCK_API)
-	SHADER_PARAMETER(FVector4f, ContrastAndThreshold) // of highlights, of shadows; thresholds of both, EV
+	SHADER_PARAMETER(float, HighlightContrastScale)
+	SHADER_PARAMETER(float, ShadowContrastScale)
+	SHADER_PARAMETER(float, HighlightThreshold)
+	SHADER_PARAMETER(float, ShadowThreshold)
 	SHADER_PARAMETER(float, DetailStrength)
 	SHADER_PARAMETER(float, BlurredLuminanceBlend)
 	SHADER_PARAMETER(float, MiddleGreyExposureCompensation)
-	SHADER_PARAMETER(float, HistogramScale) // the grid's depth is that of the histogram's range
-	SHADER_PARAMETER(float, HistogramBias)
-	SHADER_PARAMETER(float, LuminanceMin)
+	SHADER_PARAMETER(FVector2f, BilateralGridUVScale)
 END_SHADER_PARAMETER_STRUCT()
 
 namespace Drydock
 {
 
-/** The parameters that a shader with USE_LOCAL_EXPOSURE binds, under the name LocalExposure
- * (PostProcessLocalExposureCommon.ush). */
-BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, DRYDOCK_API)
-	SHADER_PARAMETER_STRUCT_INCLUDE(FLocalExposureParameters, Settings)
-	SHADER_PARAMETER(FVector2f, BilateralGridUVScale)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture3D, BilateralGrid)
-	SHADER_PARAMETER_SAMPLER(SamplerState, BilateralGridSampler)
-	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BlurredLogLuminance)
-	SHADER_PARAMETER_SAMPLER(SamplerState, BlurredLogLuminanceSampler)
-	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Blurred)
-END_SHADER_PARAMETER_STRUCT()
-
-/** The textures of a frame that local exposure is applied with; not valid where it is off. */
+/** The inputs that a frame applies local exposure with; not valid where it is off. */
 struct FLocalExposureTextures
 {
 	FLocalExposureParameters Parameters;
+	FEyeAdaptationParameters EyeAdaptation;
 	/** Texture3D: x the sum of log2 luminance, y the weight. */
 	FRDGTextureRef BilateralGrid = nullptr;
-	/** Size of the grid's input, texels. */
-	FIntPoint BilateralGridInputSize = FIntPoint(0, 0);
-	/** log2 luminance; any resolution. */
-	FScreenPassTexture BlurredLogLuminance;
+	/** log2 luminance over the view, which it fills; any resolution. */
+	FRDGTextureRef BlurredLogLuminance = nullptr;
 
-	bool IsValid() const { return BilateralGrid != nullptr && BlurredLogLuminance.IsValid(); }
+	bool IsValid() const { return BilateralGrid != nullptr && BlurredLogLuminance != nullptr; }
+
+	/** Gives them to the inputs of a pass (FBloomSetupInputs, FTonemapInputs), which refer to this. */
+	template<typename FInputs>
+	void GiveTo(FInputs& Inputs) const
+	{
+		Inputs.EyeAdaptationParameters = &EyeAdaptation;
+		Inputs.LocalExposureParameters = &Parameters;
+		Inputs.LocalExposureTexture = BilateralGrid;
+		Inputs.BlurredLogLuminanceTexture = BlurredLogLuminance;
+	}
 };
 
 /** A contrast or the detail strength is not 1. */
@@ -77,20 +75,19 @@ DRYDOCK_API bool IsLocalExposureEnabled(const FFinalPostProcessSettings& Setting
 /** r.Bloom.ApplyLocalExposure. */
 DRYDOCK_API bool IsLocalExposureAppliedToBloom();
 
-/** Textures that are not valid give parameters that are not bound. */
-DRYDOCK_API FLocalExposureShaderParameters GetLocalExposureShaderParameters(const FLocalExposureTextures& Textures);
-
 } // namespace Drydock
 
-/** bManual: the exposure is the camera's, and its compensation does not move middle grey. */
+/** GridInputSize: size of the picture that AddLocalExposurePass is given. bManual: the exposure is the camera's, and
+ * its compensation does not move middle grey. */
 DRYDOCK_API FLocalExposureParameters GetLocalExposureParameters(
-	const FViewInfo& View, const FEyeAdaptationParameters& EyeAdaptation, bool bManual);
+	const FViewInfo& View, FIntPoint GridInputSize, const FEyeAdaptationParameters& EyeAdaptation, bool bManual);
 
 /** The bilateral grid of a picture, PF_G32R32F: on the CPU, texel by texel in a fixed order. SceneColor: linear,
  * pre-exposed. */
 DRYDOCK_API FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor);
+	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor);
 
-/** log2 luminance of a small picture, PF_R16F, blurred over KernelSizePercent of its width; mirrored at its edges. */
-DRYDOCK_API FScreenPassTexture AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FLocalExposureParameters& Parameters, FScreenPassTexture SceneColor, float KernelSizePercent);
+/** log2 luminance of a small picture's rect, PF_R16F, blurred over KernelSizePercent of its width; mirrored at its
+ * edges. */
+DRYDOCK_API FRDGTextureRef AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor, float KernelSizePercent);

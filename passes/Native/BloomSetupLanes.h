@@ -12,7 +12,7 @@ namespace Drydock
 /** Parts whose flag is not set are left out, as the shader's permutations leave them out. */
 struct FBloomSetupJob
 {
-	FViewportAxis Viewport[2];
+	/** The input is sampled at the pixels' centres, as the transform in its axes maps them. */
 	FSampledTexture Input;
 	float OneOverPreExposure = 1.0f;
 	float PreExposure = 1.0f;
@@ -27,6 +27,7 @@ struct FBloomSetupJob
 	float ExposureScale = 1.0f;
 
 	bool bLocalExposure = false;
+	FViewportAxis LocalExposureViewport[2];
 	FLocalExposureJob LocalExposure;
 };
 

@@ -29,9 +29,10 @@ public:
 	{
 		const size_t Bytes = TSampledTile<N>::GetBytes(Tile.MaxX - Tile.MinX, Tile.MaxY - Tile.MinY);
 		auto* const Memory = static_cast<uint8_t*>(GetTapMemory(PlacesMemory, 2 * Bytes));
-		if (!Input.Open(Job.Input, Job.Viewport, Tile, 3, 0, Memory) ||
-			(Job.bToon && !Toon.Open(Job.Toon, Job.Viewport, Tile, 3, 1, Memory + Bytes)) ||
-			(Job.bLocalExposure && !LocalExposure.Open(Job.LocalExposure, Job.Viewport, Tile, 2)))
+		constexpr FViewportAxis Centers[2] = {};
+		if (!Input.Open(Job.Input, Centers, Tile, 3, 0, Memory) ||
+			(Job.bToon && !Toon.Open(Job.Toon, Centers, Tile, 3, 1, Memory + Bytes)) ||
+			(Job.bLocalExposure && !LocalExposure.Open(Job.LocalExposure, Job.LocalExposureViewport, Tile, 2)))
 		{
 			return false;
 		}

@@ -12,7 +12,10 @@ struct FLocalExposureJob
 	/** x the sum of log2 luminance, y the weight; RG32F. */
 	const FKernelTexture* Grid = nullptr;
 	float GridScale[2] = {};
-	float ContrastAndThreshold[4] = {};
+	float HighlightContrastScale = 1.0f;
+	float ShadowContrastScale = 1.0f;
+	float HighlightThreshold = 0.0f;
+	float ShadowThreshold = 0.0f;
 	float DetailStrength = 1.0f;
 	float BlurredLuminanceBlend = 0.0f;
 	float MiddleGreyExposureCompensation = 1.0f;

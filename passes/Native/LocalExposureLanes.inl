@@ -86,9 +86,8 @@ public:
 		const FLanes Zero = 0.0f;
 		const FLanes Centered = Base - LogMiddleGrey;
 		const TMask<N> bAbove = Centered > Zero;
-		const float* const Curve = Job->ContrastAndThreshold;
-		const FLanes Contrast = Select(bAbove, FLanes(Curve[0]), FLanes(Curve[1]));
-		const FLanes Threshold = Select(bAbove, FLanes(Curve[2]), FLanes(Curve[3]));
+		const FLanes Contrast = Select(bAbove, FLanes(Job->HighlightContrastScale), FLanes(Job->ShadowContrastScale));
+		const FLanes Threshold = Select(bAbove, FLanes(Job->HighlightThreshold), FLanes(Job->ShadowThreshold));
 		const FLanes Beyond = Max(Abs(Centered) - Threshold, Zero);
 		const FLanes Compression = (Contrast - FLanes(1.0f)) * Beyond;
 		const FLanes Detail = FLanes(Job->DetailStrength - 1.0f) * (LogLuminance + LogExposure - Base);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace Drydock
 {
@@ -59,33 +60,39 @@ float GetOneOverPreExposure(const TUniformBufferRef<FViewUniformShaderParameters
 	return static_cast<const FViewUniformShaderParameters*>(View->GetContents())->OneOverPreExposure;
 }
 
-bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureShaderParameters& Parameters,
-	const float EyeAdaptation[4], float OneOverPreExposure, FLocalExposureJob& Out)
+FSampledTexture MakeUnheldTexture(const FNativeKernelArgs& Args, const char* Texture, const char* Sampler)
 {
-	Out.Blurred = MakeSampledTexture(
-		Args, "LocalExposure_BlurredLogLuminance", "LocalExposure_BlurredLogLuminanceSampler", Parameters.Blurred);
-	Out.Grid = Args.FindTexture("LocalExposure_BilateralGrid");
-	const FKernelSampler* const GridSampler = Args.FindSampler("LocalExposure_BilateralGridSampler");
+	constexpr float Infinity = std::numeric_limits<float>::infinity();
+	constexpr FSampledAxis Axis = {1.0f, 0.0f, -Infinity, Infinity};
+	return {Args.FindTexture(Texture), Args.FindSampler(Sampler), {Axis, Axis}};
+}
+
+bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureParameters& Parameters,
+	const FEyeAdaptationParameters& EyeAdaptation, const float EyeAdaptationEntry[4], float OneOverPreExposure,
+	FLocalExposureJob& Out)
+{
+	Out.Blurred = MakeUnheldTexture(Args, "BlurredLogLum", "BlurredLogLumSampler");
+	Out.Grid = Args.FindTexture("LumBilateralGrid");
+	const FKernelSampler* const GridSampler = Args.FindSampler("LumBilateralGridSampler");
 	if (!CanSampleInLanes(Out.Blurred.Texture, Out.Blurred.Sampler) || !Out.Grid || !GridSampler || !Out.Grid->bIs3D ||
 		Out.Grid->NumMips != 1 || Out.Grid->Storage != ETexelStorage::RG32_FLOAT ||
 		GridSampler->Filter == EKernelFilter::Point || GridSampler->SampleBits != 8)
 	{
 		return false;
 	}
-	const FLocalExposureParameters& Settings = Parameters.Settings;
-	for (int i = 0; i < 4; ++i)
-	{
-		Out.ContrastAndThreshold[i] = Settings.ContrastAndThreshold[i];
-		Out.EyeAdaptation[i] = EyeAdaptation[i];
-	}
+	std::copy_n(EyeAdaptationEntry, 4, Out.EyeAdaptation);
 	Out.GridScale[0] = Parameters.BilateralGridUVScale.X;
 	Out.GridScale[1] = Parameters.BilateralGridUVScale.Y;
-	Out.DetailStrength = Settings.DetailStrength;
-	Out.BlurredLuminanceBlend = Settings.BlurredLuminanceBlend;
-	Out.MiddleGreyExposureCompensation = Settings.MiddleGreyExposureCompensation;
-	Out.HistogramScale = Settings.HistogramScale;
-	Out.HistogramBias = Settings.HistogramBias;
-	Out.LuminanceMin = Settings.LuminanceMin;
+	Out.HighlightContrastScale = Parameters.HighlightContrastScale;
+	Out.ShadowContrastScale = Parameters.ShadowContrastScale;
+	Out.HighlightThreshold = Parameters.HighlightThreshold;
+	Out.ShadowThreshold = Parameters.ShadowThreshold;
+	Out.DetailStrength = Parameters.DetailStrength;
+	Out.BlurredLuminanceBlend = Parameters.BlurredLuminanceBlend;
+	Out.MiddleGreyExposureCompensation = Parameters.MiddleGreyExposureCompensation;
+	Out.HistogramScale = EyeAdaptation.HistogramScale;
+	Out.HistogramBias = EyeAdaptation.HistogramBias;
+	Out.LuminanceMin = EyeAdaptation.LuminanceMin;
 	Out.OneOverPreExposure = OneOverPreExposure;
 	return GridSampler->AddressU == EKernelAddress::Clamp && GridSampler->AddressV == EKernelAddress::Clamp &&
 		   GridSampler->AddressW == EKernelAddress::Clamp;

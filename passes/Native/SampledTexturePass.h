@@ -24,9 +24,22 @@ void ReadEyeAdaptation(const FNativeKernelArgs& Args, const char* Buffer, float 
 /** View.OneOverPreExposure of a pass. */
 float GetOneOverPreExposure(const TUniformBufferRef<FViewUniformShaderParameters>& View);
 
-/** False where the shader has to do it. */
-bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureShaderParameters& Parameters,
-	const float EyeAdaptation[4], float OneOverPreExposure, FLocalExposureJob& Out);
+/** The texture and sampler of those names, sampled at positions of the view as the sampler clamps them. */
+FSampledTexture MakeUnheldTexture(const FNativeKernelArgs& Args, const char* Texture, const char* Sampler);
+
+/** Its textures have the names LumBilateralGrid and BlurredLogLum. False where the shader has to do it. */
+bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FLocalExposureParameters& Parameters,
+	const FEyeAdaptationParameters& EyeAdaptation, const float EyeAdaptationEntry[4], float OneOverPreExposure,
+	FLocalExposureJob& Out);
+
+/** Parameters: of a pass that has both structs. */
+template<typename FPassParameters>
+bool MakeLocalExposureJob(const FNativeKernelArgs& Args, const FPassParameters& Parameters,
+	const float EyeAdaptationEntry[4], float OneOverPreExposure, FLocalExposureJob& Out)
+{
+	return MakeLocalExposureJob(
+		Args, Parameters.LocalExposure, Parameters.EyeAdaptation, EyeAdaptationEntry, OneOverPreExposure, Out);
+}
 
 /** Whether a tile of pixels, which the viewport counts, lies inside the target. */
 bool IsInsideTarget(const FKernelTexture* Target, const FKernelTile& Pixels);

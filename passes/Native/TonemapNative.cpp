@@ -89,7 +89,7 @@ bool MakeTonemapJob(const FNativeKernelArgs& Args, const FTonemapPermutation& Pe
 	}
 	Job.bLocalExposure = Permutation.Get<FTonemapLocalExposureDimension>();
 	return !Job.bLocalExposure ||
-		   MakeLocalExposureJob(Args, Parameters.LocalExposure, EyeAdaptation, OneOverPreExposure, Job.LocalExposure);
+		   MakeLocalExposureJob(Args, Parameters, EyeAdaptation, OneOverPreExposure, Job.LocalExposure);
 }
 
 bool RunTonemapLanes(const FTonemapJob& Job, const FTapTarget& Target)
@@ -128,7 +128,7 @@ void RunTonemapThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "3271b82b98aa86ae")
-REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "3271b82b98aa86ae")
+REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "fb873536eee96d6e")
+REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "fb873536eee96d6e")
 
 } // namespace Drydock

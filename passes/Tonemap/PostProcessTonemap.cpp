@@ -53,7 +53,7 @@ FTonemapPermutation ChoosePermutation(
 	Permutation.Set<FTonemapFilmGrainTextureDimension>(Parameters.FilmGrainTexture != nullptr);
 	Permutation.Set<FTonemapGrainQuantizationDimension>(Parameters.GrainQuantizationStep > 0.0f);
 	Permutation.Set<FTonemapColorFringeDimension>(Drydock::HasChromaticAberration(Settings));
-	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposure.IsValid());
+	Permutation.Set<FTonemapLocalExposureDimension>(Inputs.LocalExposureTexture != nullptr);
 	Permutation.Set<FTonemapLUTDimension>(Inputs.ColorGradingTexture != nullptr);
 	Permutation.Set<FTonemapSceneColorApplyDimension>(Inputs.SceneColorApplyParamaters != nullptr);
 	return Permutation;
@@ -125,7 +125,16 @@ FTonemapParameters MakeParameters(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	{
 		SetBloom(GraphBuilder, View.FinalPostProcessSettings, Inputs.Bloom, Parameters);
 	}
-	Parameters.LocalExposure = Drydock::GetLocalExposureShaderParameters(Inputs.LocalExposure);
+	if (Inputs.LocalExposureTexture)
+	{
+		check(Inputs.EyeAdaptationParameters && Inputs.LocalExposureParameters && Inputs.BlurredLogLuminanceTexture);
+		Parameters.EyeAdaptation = *Inputs.EyeAdaptationParameters;
+		Parameters.LocalExposure = *Inputs.LocalExposureParameters;
+		Parameters.LumBilateralGrid = Inputs.LocalExposureTexture;
+		Parameters.LumBilateralGridSampler = Parameters.ColorSampler;
+		Parameters.BlurredLogLum = Inputs.BlurredLogLuminanceTexture;
+		Parameters.BlurredLogLumSampler = Parameters.ColorSampler;
+	}
 	Parameters.ColorGradingLUT = Inputs.ColorGradingTexture;
 	Parameters.ColorGradingSampler = Parameters.ColorSampler;
 	SetLens(GraphBuilder, View, Output.ViewRect.Size(), Parameters);

@@ -37,8 +37,12 @@ struct FTonemapInputs
 	/** [Required] Entry 0's x is the exposure scale. */
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 
-	/** [Optional] Colour, not bloom, times its factor. */
-	Drydock::FLocalExposureTextures LocalExposure;
+	/** [Optional] Local exposure, by which colour is multiplied and bloom is not: all four, or none. */
+	const FEyeAdaptationParameters* EyeAdaptationParameters = nullptr;
+	const FLocalExposureParameters* LocalExposureParameters = nullptr;
+	/** The bilateral grid. */
+	FRDGTextureRef LocalExposureTexture = nullptr;
+	FRDGTextureRef BlurredLogLuminanceTexture = nullptr;
 
 	/** [Optional] The combined table (AddCombineLUTPass) of this view. */
 	FRDGTextureRef ColorGradingTexture = nullptr;

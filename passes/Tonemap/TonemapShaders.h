@@ -42,7 +42,12 @@ BEGIN_SHADER_PARAMETER_STRUCT(FTonemapParameters, )
 	SHADER_PARAMETER(FVector2f, VignetteScale)
 	SHADER_PARAMETER(float, VignetteIntensity)
 	SHADER_PARAMETER(float, bWriteLumaToAlpha)
-	SHADER_PARAMETER_STRUCT(FLocalExposureShaderParameters, LocalExposure)
+	SHADER_PARAMETER_STRUCT(FEyeAdaptationParameters, EyeAdaptation)
+	SHADER_PARAMETER_STRUCT(FLocalExposureParameters, LocalExposure)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture3D, LumBilateralGrid)
+	SHADER_PARAMETER_SAMPLER(SamplerState, LumBilateralGridSampler)
+	SHADER_PARAMETER_RDG_TEXTURE(Texture2D, BlurredLogLum)
+	SHADER_PARAMETER_SAMPLER(SamplerState, BlurredLogLumSampler)
 END_SHADER_PARAMETER_STRUCT()
 
 class FTonemapGammaOnlyDimension : SHADER_PERMUTATION_BOOL("USE_GAMMA_ONLY");

@@ -2,9 +2,9 @@
 // engine PostProcess/PostProcessing.cpp.
 #include "Chain/BloomChain.h"
 
-#include "Bloom/PostProcessBloomSetup.h"
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessGaussianBloom.h"
+#include "Bloom/ToonBloomSetup.h"
 #include "Effects/Effect.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -29,18 +29,21 @@ FScreenPassTexture AddHalf(FRDGBuilder& GraphBuilder, const FViewInfo& View, con
 	return AddDownsamplePass(GraphBuilder, View, Inputs);
 }
 
-FBloomSetupInputs MakeSetup(const FBloomChainInputs& Inputs, const FScreenPassTexture& Picture, float Threshold)
+/** The setup pass, with toon bloom where that is active. */
+FScreenPassTexture AddSetup(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs,
+	const FScreenPassTexture& Picture, float Threshold, const Drydock::FLocalExposureTextures& LocalExposure)
 {
 	FBloomSetupInputs Setup;
 	Setup.SceneColor = Picture;
 	Setup.EyeAdaptationBuffer = Inputs.EyeAdaptationBuffer;
 	Setup.Threshold = Threshold;
-	if (Inputs.Toon != nullptr)
+	if (LocalExposure.IsValid())
 	{
-		Setup.Toon = *Inputs.Toon;
-		Setup.DownsampleQuality = GetDownsampleQuality();
+		LocalExposure.GiveTo(Setup);
 	}
-	return Setup;
+	return Inputs.Toon != nullptr
+			   ? Drydock::AddToonBloomSetupPass(GraphBuilder, View, Setup, *Inputs.Toon, GetDownsampleQuality())
+			   : AddBloomSetupPass(GraphBuilder, View, Setup);
 }
 
 /** The threshold is not read, as in the engine. The smaller pictures are there for r.Bloom.ScreenPercentage and are
@@ -50,7 +53,7 @@ FBloomChainOutputs AddFFTBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo&
 	FFFTBloomInputs FFTInputs{Inputs.SceneColor, Inputs.HalfResolution, Inputs.SceneDownsampleChain->GetTexture(1)};
 	if (Inputs.Toon != nullptr)
 	{
-		FFTInputs.SceneColor = AddBloomSetupPass(GraphBuilder, View, MakeSetup(Inputs, Inputs.SceneColor, NoRamp));
+		FFTInputs.SceneColor = AddSetup(GraphBuilder, View, Inputs, Inputs.SceneColor, NoRamp, {});
 		// As the scene's own, so that a factor of 1 changes no bit.
 		const EPixelFormat Format = Inputs.HalfResolution.Texture->Desc.Format;
 		FFTInputs.HalfResolution = AddHalf(
@@ -77,10 +80,9 @@ FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	{
 		return {AddGaussianBloomPasses(GraphBuilder, View, Inputs.SceneDownsampleChain)};
 	}
-	FBloomSetupInputs Setup = MakeSetup(Inputs, Inputs.HalfResolution, Threshold);
-	Setup.LocalExposure = Inputs.LocalExposure;
 	FTextureDownsampleChain BloomChain;
-	BloomChain.Init(GraphBuilder, View, AddBloomSetupPass(GraphBuilder, View, Setup), GetDownsampleChainQuality(),
-		TEXT("BloomDownsample"));
+	BloomChain.Init(GraphBuilder, View,
+		AddSetup(GraphBuilder, View, Inputs, Inputs.HalfResolution, Threshold, Inputs.LocalExposure),
+		GetDownsampleChainQuality(), TEXT("BloomDownsample"));
 	return {AddGaussianBloomPasses(GraphBuilder, View, &BloomChain)};
 }

@@ -70,14 +70,15 @@ FExposureChainOutputs AddExposurePasses(
 	{
 		const Drydock::FRDGEffectScope Scope(GraphBuilder, *Drydock::GLocalExposureEffect.Name);
 		const bool bManual = Inputs.bAutoExposure && Method == AEM_Manual;
-		LocalExposure = GetLocalExposureParameters(View, Adaptation.Parameters, bManual);
+		LocalExposure =
+			GetLocalExposureParameters(View, Inputs.HalfResolution.ViewRect.Size(), Adaptation.Parameters, bManual);
 		Adaptation.LocalExposure = &LocalExposure;
 		Outputs.LocalExposure.Parameters = LocalExposure;
+		Outputs.LocalExposure.EyeAdaptation = Adaptation.Parameters;
 		Outputs.LocalExposure.BilateralGrid =
-			AddLocalExposurePass(GraphBuilder, View, LocalExposure, Inputs.HalfResolution);
-		Outputs.LocalExposure.BilateralGridInputSize = Inputs.HalfResolution.ViewRect.Size();
+			AddLocalExposurePass(GraphBuilder, View, Adaptation.Parameters, Inputs.HalfResolution);
 		Outputs.LocalExposure.BlurredLogLuminance = AddLocalExposureBlurredLogLuminancePass(GraphBuilder, View,
-			LocalExposure, Inputs.SceneDownsampleChain->GetTexture(GBlurredLogLuminanceLevel),
+			Adaptation.Parameters, Inputs.SceneDownsampleChain->GetTexture(GBlurredLogLuminanceLevel),
 			View.FinalPostProcessSettings.LocalExposureBlurredLuminanceKernelSizePercent);
 	}
 	if (!Inputs.bAutoExposure)

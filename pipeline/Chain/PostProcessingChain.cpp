@@ -205,7 +205,10 @@ public:
 			{
 				TonemapInputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
 			}
-			TonemapInputs.LocalExposure = LocalExposure;
+			if (LocalExposure.IsValid())
+			{
+				LocalExposure.GiveTo(TonemapInputs);
+			}
 			Sequence.AcceptOverrideIfLastPass(EFramePass::Tonemap, TonemapInputs.OverrideOutput);
 			SceneColor = AddTonemapPass(GraphBuilder, View, TonemapInputs);
 			Tonemapped = SceneColor;

@@ -148,15 +148,17 @@ inline Drydock::FLocalExposureTextures DrawLocalExposure(FPassRun& Run, std::mt1
 	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(Size, GBilateralGridCellSize);
 	Drydock::FLocalExposureTextures Textures;
 	FLocalExposureParameters& Parameters = Textures.Parameters;
-	Parameters.ContrastAndThreshold =
-		FVector4f(FVector4(Draw(0.3, 1.2), Draw(0.3, 1.2), Draw(0.0, 2.0), Draw(0.0, 2.0)));
+	Parameters.HighlightContrastScale = static_cast<float>(Draw(0.3, 1.2));
+	Parameters.ShadowContrastScale = static_cast<float>(Draw(0.3, 1.2));
+	Parameters.HighlightThreshold = static_cast<float>(Draw(0.0, 2.0));
+	Parameters.ShadowThreshold = static_cast<float>(Draw(0.0, 2.0));
 	Parameters.DetailStrength = static_cast<float>(Draw(0.5, 1.5));
 	Parameters.BlurredLuminanceBlend = static_cast<float>(Draw(0.0, 1.0));
 	Parameters.MiddleGreyExposureCompensation = 1.5f;
-	Parameters.HistogramScale = 0.06f;
-	Parameters.HistogramBias = 0.5f;
-	Parameters.LuminanceMin = 0.001f;
-	Textures.BilateralGridInputSize = Size;
+	Parameters.BilateralGridUVScale = FVector2f(Size) / FVector2f(Cells * GBilateralGridCellSize);
+	Textures.EyeAdaptation.HistogramScale = 0.06f;
+	Textures.EyeAdaptation.HistogramBias = 0.5f;
+	Textures.EyeAdaptation.LuminanceMin = 0.001f;
 	Textures.BilateralGrid =
 		AddVolume(Run.GraphBuilder, FIntVector(Cells.X, Cells.Y, GBilateralGridDepth), PF_G32R32F, TEXT("Grid"),
 			[&](int, int, int)
@@ -166,8 +168,8 @@ inline Drydock::FLocalExposureTextures DrawLocalExposure(FPassRun& Run, std::mt1
 			});
 	const FIntPoint Small = FIntPoint::DivideAndRoundUp(Size, 4);
 	const FImage Blurred = FImage::Make(Small.X, Small.Y, [&](int, int) { return FTexel{Draw(-4.0, 4.0), 0, 0, 1}; });
-	Textures.BlurredLogLuminance = Run.AddInput(
-		Blurred, {1, 2, Small.X + 1, Small.Y + 2}, FIntPoint(Small.X + 3, Small.Y + 3), PF_R16F, TEXT("Blurred"));
+	Textures.BlurredLogLuminance =
+		Run.AddInput(Blurred, {0, 0, Small.X, Small.Y}, Small, PF_R16F, TEXT("Blurred")).Texture;
 	return Textures;
 }
 

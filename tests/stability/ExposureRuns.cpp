@@ -135,16 +135,17 @@ FImage RunLocalExposure(const FCase& Case)
 	Settings.LocalExposureShadowContrastScale = 0.5f;
 	Settings.LocalExposureHighlightThreshold = static_cast<float>(Case.Threshold.value_or(0.0));
 	FLocalExposureTextures Textures;
+	Textures.EyeAdaptation = GetEyeAdaptationParameters(Run.View, AEM_Histogram, true);
 	Textures.Parameters =
-		GetLocalExposureParameters(Run.View, GetEyeAdaptationParameters(Run.View, AEM_Histogram, true), false);
-	Textures.BilateralGrid = AddLocalExposurePass(Run.GraphBuilder, Run.View, Textures.Parameters, Run.Input);
-	Textures.BilateralGridInputSize = Run.Input.ViewRect.Size();
+		GetLocalExposureParameters(Run.View, Run.Input.ViewRect.Size(), Textures.EyeAdaptation, false);
+	Textures.BilateralGrid = AddLocalExposurePass(Run.GraphBuilder, Run.View, Textures.EyeAdaptation, Run.Input);
 	Textures.BlurredLogLuminance = AddLocalExposureBlurredLogLuminancePass(
-		Run.GraphBuilder, Run.View, Textures.Parameters, Run.Input, static_cast<float>(Case.Sigma.value_or(10.0)));
+		Run.GraphBuilder, Run.View, Textures.EyeAdaptation, Run.Input, static_cast<float>(Case.Sigma.value_or(10.0)));
 	FBloomSetupInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
-	Inputs.LocalExposure = Textures;
+	Inputs.Threshold = -1.0f;
+	Textures.GiveTo(Inputs);
 	return Run.Execute(AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs));
 }
 

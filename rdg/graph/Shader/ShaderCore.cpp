@@ -91,6 +91,7 @@ void MapShippedShaders()
 			AddShaderDirectory("/Engine", Root + "/rdg/graph/Shaders/Engine");
 			AddShaderDirectory("/Engine/Private", Passes);
 			AddShaderDirectory("/Project", Passes);
+			AddShaderDirectory("/Drydock/Private", Passes + "/Drydock");
 			GNumShippedShaderDirectories = CountShaderDirectories();
 		});
 }

@@ -179,6 +179,7 @@ TEST(BloomSetup, ReadsNothingOutsideItsRect)
 	FBloomSetupInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+	Inputs.Threshold = -1.0f;
 	const FScreenPassTexture Output = AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs);
 	EXPECT_EQ(Run.Input.ViewRect, Output.ViewRect);
 	EXPECT_EQ(0, MaxDifference(Image, Run.Execute(Output)));

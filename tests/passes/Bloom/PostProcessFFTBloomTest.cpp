@@ -1,7 +1,7 @@
 // Convolution bloom against a direct sum in double, its split of energy, pre-filter and padding.
 #include "FFTBloomTestUtils.h"
 
-#include "Bloom/PostProcessBloomSetup.h"
+#include "Bloom/ToonBloomSetup.h"
 
 #include <functional>
 
@@ -428,8 +428,9 @@ TEST(FFTBloomToon, TheSetupMasksWhatIsConvolved)
 	FBloomSetupInputs Setup;
 	Setup.SceneColor = Run.Input;
 	Setup.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
-	Setup.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), 0.25f};
-	const FBloom Result = Execute(Run, {AddBloomSetupPass(Run.GraphBuilder, Run.View, Setup), {}, {}});
+	Setup.Threshold = -1.0f;
+	const FToonBloomInputs Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), 0.25f};
+	const FBloom Result = Execute(Run, {AddToonBloomSetupPass(Run.GraphBuilder, Run.View, Setup, Toon), {}, {}});
 	EXPECT_EQ(Expected.Texels, Result.Bloom.Texels);
 }
 

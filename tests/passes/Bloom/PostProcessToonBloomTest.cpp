@@ -4,9 +4,8 @@
 #include "NativeTestUtils.h"
 #include "PassTestUtils.h"
 
-#include "Bloom/PostProcessBloomSetup.h"
 #include "Bloom/PostProcessGaussianBloom.h"
-#include "Bloom/PostProcessToonBloom.h"
+#include "Bloom/ToonBloomSetup.h"
 
 #include <cstring>
 #include <optional>
@@ -75,20 +74,26 @@ public:
 		Inputs.SceneColor = Half;
 		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
 		Inputs.Threshold = Toon.Threshold;
-		if (Toon.Factor)
-		{
-			Inputs.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), *Toon.Factor};
-			Inputs.DownsampleQuality = Toon.Quality;
-		}
 		if (Toon.bLocalExposure)
 		{
 			std::mt19937 Random(7);
-			Inputs.LocalExposure = DrawLocalExposure(Run, Random);
+			LocalExposure = DrawLocalExposure(Run, Random);
+			LocalExposure.GiveTo(Inputs);
 		}
 		return Inputs;
 	}
 
-	FScreenPassTexture AddSetup() { return AddBloomSetupPass(Run.GraphBuilder, Run.View, MakeInputs()); }
+	/** SceneColor: the full resolution's. */
+	FScreenPassTexture AddSetup(const FScreenPassTexture& SceneColor)
+	{
+		return Toon.Factor
+				   ? AddToonBloomSetupPass(Run.GraphBuilder, Run.View, MakeInputs(),
+						 {SceneColor, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), *Toon.Factor},
+						 Toon.Quality)
+				   : AddBloomSetupPass(Run.GraphBuilder, Run.View, MakeInputs());
+	}
+
+	FScreenPassTexture AddSetup() { return AddSetup(Run.Input); }
 
 private:
 	/** Outside the rect everything claims to be toon. */
@@ -108,6 +113,7 @@ private:
 	FScopedConsoleVariable AsPrinted;
 	FToon Toon;
 	FSceneTextures SceneTextures;
+	FLocalExposureTextures LocalExposure;
 
 public:
 	FPassRun Run;
@@ -470,18 +476,14 @@ TEST(ToonBloom, TheSceneTexturesColourStandsInForAMissingFullResolution)
 	const FToonScene Scene;
 	const FImage Expected = SetUpBloom(Scene.Color, Scene.Ids, {0.1f}, EArithmetic::Native);
 	FToonRun Run(Scene.Color, Scene.Ids, {0, 0, 64, 36}, FIntPoint(64, 36), {0.1f}, EArithmetic::Native);
-	FBloomSetupInputs Inputs = Run.MakeInputs();
-	Inputs.Toon->SceneColor = FScreenPassTexture();
-	EXPECT_EQ(Expected.Texels, Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs)).Texels);
+	EXPECT_EQ(Expected.Texels, Run.Run.Execute(Run.AddSetup(FScreenPassTexture())).Texels);
 }
 
 TEST(ToonBloom, AnInputOfTheIdsSizeIsMaskedPixelByPixel)
 {
 	FToonRun Run(Grey(4, 4, 8), QuadIds(), {0, 0, 4, 4}, FIntPoint(4, 4), {0.25f}, EArithmetic::Native);
-	FBloomSetupInputs Inputs = Run.MakeInputs();
-	Inputs.SceneColor = Run.Run.Input;
-	Inputs.Toon->SceneColor = FScreenPassTexture();
-	const FImage Result = Run.Run.Execute(AddBloomSetupPass(Run.Run.GraphBuilder, Run.Run.View, Inputs));
+	Run.Half = Run.Run.Input;
+	const FImage Result = Run.Run.Execute(Run.AddSetup(FScreenPassTexture()));
 	EXPECT_EQ((std::vector<double>{2, 8, 2, 2, 8, 2, 2, 2, 8, 8, 8, 8, 8, 8, 8, 2}), Reds(Result));
 }
 

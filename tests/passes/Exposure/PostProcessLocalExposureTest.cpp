@@ -61,12 +61,12 @@ FLocalExposureTextures AddLocalExposure(FPassRun& Run, const FLocal& Local)
 	Run.View.bUseComputePasses = Local.bCompute;
 
 	FLocalExposureTextures Textures;
+	Textures.EyeAdaptation = GetEyeAdaptationParameters(Run.View, AEM_Histogram, true);
 	Textures.Parameters =
-		GetLocalExposureParameters(Run.View, GetEyeAdaptationParameters(Run.View, AEM_Histogram, true), false);
-	Textures.BilateralGrid = AddLocalExposurePass(Run.GraphBuilder, Run.View, Textures.Parameters, Run.Input);
-	Textures.BilateralGridInputSize = Run.Input.ViewRect.Size();
+		GetLocalExposureParameters(Run.View, Run.Input.ViewRect.Size(), Textures.EyeAdaptation, false);
+	Textures.BilateralGrid = AddLocalExposurePass(Run.GraphBuilder, Run.View, Textures.EyeAdaptation, Run.Input);
 	Textures.BlurredLogLuminance = AddLocalExposureBlurredLogLuminancePass(
-		Run.GraphBuilder, Run.View, Textures.Parameters, Run.Input, Local.KernelSizePercent);
+		Run.GraphBuilder, Run.View, Textures.EyeAdaptation, Run.Input, Local.KernelSizePercent);
 	return Textures;
 }
 
@@ -76,7 +76,9 @@ FImage Apply(FPassRun& Run, const FLocal& Local)
 	FBloomSetupInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, Local.ExposureScale);
-	Inputs.LocalExposure = AddLocalExposure(Run, Local);
+	Inputs.Threshold = -1.0f;
+	const FLocalExposureTextures Textures = AddLocalExposure(Run, Local);
+	Textures.GiveTo(Inputs);
 	return Run.Execute(AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs));
 }
 
@@ -130,8 +132,12 @@ public:
 
 	double GetFactor(int X, int Y) const
 	{
-		const double Log = GetLog(Image.At(X, Y)), Blur = Blurred.At(X, Y)[0];
-		const FCell Cell = Lookup((X + 0.5) / 64 - 0.5, (Y + 0.5) / 64 - 0.5, GetDepth(Log));
+		// The bloom setup looks both up at the pixel's corner, as the engine does.
+		const int Left = std::max(X - 1, 0), Above = std::max(Y - 1, 0);
+		const double Log = GetLog(Image.At(X, Y));
+		const double Blur =
+			(Blurred.At(Left, Above)[0] + Blurred.At(X, Above)[0] + Blurred.At(Left, Y)[0] + Blurred.At(X, Y)[0]) / 4;
+		const FCell Cell = Lookup(X / 64.0 - 0.5, Y / 64.0 - 0.5, GetDepth(Log));
 		const double Bilateral = Cell.Weight < 0.001 ? Blur : Cell.Log / Cell.Weight;
 		const double Exposure = std::log2(static_cast<double>(Local.ExposureScale));
 		const double Base = Bilateral + (Blur - Bilateral) * static_cast<double>(Local.Blend) + Exposure;
@@ -305,11 +311,10 @@ TEST(LocalExposure, ThresholdsCountWhereTheEngineVersionHasThem)
 	for (const Drydock::FEngineProfile& Engine : Drydock::GetEngineProfiles())
 	{
 		Run.View.EngineProfile = Engine;
-		const FVector4f Parameters =
-			GetLocalExposureParameters(Run.View, GetEyeAdaptationParameters(Run.View, AEM_Histogram, true), false)
-				.ContrastAndThreshold;
-		EXPECT_EQ(Engine.bLocalExposureThresholds ? 1.0f : 0.0f, Parameters.Z) << Engine.GetVersion();
-		EXPECT_EQ(Engine.bLocalExposureThresholds ? 2.0f : 0.0f, Parameters.W) << Engine.GetVersion();
+		const FLocalExposureParameters Parameters = GetLocalExposureParameters(
+			Run.View, FIntPoint(1, 1), GetEyeAdaptationParameters(Run.View, AEM_Histogram, true), false);
+		EXPECT_EQ(Engine.bLocalExposureThresholds ? 1.0f : 0.0f, Parameters.HighlightThreshold) << Engine.GetVersion();
+		EXPECT_EQ(Engine.bLocalExposureThresholds ? 2.0f : 0.0f, Parameters.ShadowThreshold) << Engine.GetVersion();
 	}
 	Run.Execute(Run.Input);
 }
@@ -395,13 +400,15 @@ TEST(LocalExposure, TheTonemapperExposesColourWithIt)
 	{
 		FPassRun Run(Grey(Luminance, 3, 2), EArithmetic::Float32, PF_A32B32G32R32F);
 		Run.View.FinalPostProcessSettings.VignetteIntensity = 0;
+		FLocalExposureTextures Textures;
 		FTonemapInputs Inputs;
 		Inputs.SceneColor = Run.Input;
 		Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
 		Inputs.OutputFormat = PF_A32B32G32R32F;
 		if (Local != nullptr)
 		{
-			Inputs.LocalExposure = AddLocalExposure(Run, *Local);
+			Textures = AddLocalExposure(Run, *Local);
+			Textures.GiveTo(Inputs);
 		}
 		return Run.Execute(AddTonemapPass(Run.GraphBuilder, Run.View, Inputs)).At(1, 1)[0];
 	};
@@ -412,8 +419,9 @@ TEST(LocalExposure, TheTonemapperExposesColourWithIt)
 TEST(LocalExposure, AverageLocalExposureIsThatOfTheAverage)
 {
 	FMeteringRun Run(Grey(0.25), {});
-	FLocalExposureParameters Local = GetLocalExposureParameters(Run.Run.View, Run.Parameters, false);
-	Local.ContrastAndThreshold = FVector4f(0.5f, 0.5f, 0.0f, 0.0f);
+	FLocalExposureParameters Local = GetLocalExposureParameters(Run.Run.View, FIntPoint(1, 1), Run.Parameters, false);
+	Local.HighlightContrastScale = 0.5f;
+	Local.ShadowContrastScale = 0.5f;
 	Local.MiddleGreyExposureCompensation = 0.25f;
 	FEyeAdaptationInputs Inputs;
 	Inputs.Parameters = Run.Parameters;

@@ -2,7 +2,7 @@
 // thresholds and local exposure, hazards included, with toon bloom and without; and that it does the work.
 #include "NativeTestUtils.h"
 
-#include "Bloom/PostProcessBloomSetup.h"
+#include "Bloom/ToonBloomSetup.h"
 #include "NativeFallback.h"
 
 using namespace Drydock;
@@ -37,17 +37,20 @@ FImage SetUpBloom(const FPlace& Place, const FSetup& Setup)
 		});
 	SceneTextures.GBufferB = Run.AddInput(Ids, Place.Rect, Place.Extent, PF_B8G8R8A8, TEXT("GBufferB")).Texture;
 	Run.View.SceneTextures = &SceneTextures;
+	FLocalExposureTextures LocalExposure;
 	FBloomSetupInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.7f);
 	Inputs.Threshold = Setup.Threshold;
 	if (Setup.bLocalExposure)
 	{
-		Inputs.LocalExposure = DrawLocalExposure(Run, Random);
+		LocalExposure = DrawLocalExposure(Run, Random);
+		LocalExposure.GiveTo(Inputs);
 	}
 	if (Setup.bToon)
 	{
-		Inputs.Toon = {Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), 1.5f};
+		return Run.Execute(AddToonBloomSetupPass(Run.GraphBuilder, Run.View, Inputs,
+			{Run.Input, CreateSceneTextureUniformBuffer(Run.GraphBuilder, Run.View), 1.5f}));
 	}
 	return Run.Execute(AddBloomSetupPass(Run.GraphBuilder, Run.View, Inputs));
 }

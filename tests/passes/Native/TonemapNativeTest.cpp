@@ -46,6 +46,7 @@ FImage Tonemap(const FPlace& Place, const FParts& Parts)
 	Run.View.PreExposure = 0.7f;
 	Run.View.bUseComputePasses = Parts.bCompute;
 	Run.View.InitViewUniformBuffer(Place.Extent);
+	FLocalExposureTextures LocalExposure;
 	FTonemapInputs Inputs;
 	Inputs.SceneColor = Run.Input;
 	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, Draw(0.2, 3.0));
@@ -57,7 +58,8 @@ FImage Tonemap(const FPlace& Place, const FParts& Parts)
 	}
 	if (Parts.bLocalExposure)
 	{
-		Inputs.LocalExposure = DrawLocalExposure(Run, Random);
+		LocalExposure = DrawLocalExposure(Run, Random);
+		LocalExposure.GiveTo(Inputs);
 	}
 	if (Parts.bBloom)
 	{
