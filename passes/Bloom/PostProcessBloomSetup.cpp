@@ -4,6 +4,7 @@
 #include "Bloom/BloomSetupShaders.h"
 #include "Exposure/ExposureFactory.h"
 #include "PassFactory.h"
+#include "PassFunctions.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -80,7 +81,8 @@ FBloomSetupParameters GetBloomSetupParameters(FRDGBuilder& GraphBuilder, const F
 	return Parameters;
 }
 
-FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
+FScreenPassTexture Drydock::BuiltInAddBloomSetupPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.EyeAdaptationBuffer);

@@ -6,6 +6,7 @@
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
 #include "Math/ToInteger.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -295,7 +296,8 @@ float GetFFTBloomResolutionFraction(FIntPoint ViewSize)
 	return FMath::Clamp(Percentage / 100.0f, 0.1f, FMath::Min(Largest, 1.0f));
 }
 
-FFFTBloomOutput AddFFTBloomPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFFTBloomInputs& Inputs)
+FFFTBloomOutput Drydock::BuiltInAddFFTBloomPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFFTBloomInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;

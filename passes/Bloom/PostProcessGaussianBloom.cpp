@@ -4,6 +4,7 @@
 
 #include "Blur/GaussianSum.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
 
@@ -39,7 +40,7 @@ uint32 GetBloomStageCount(EBloomQuality Quality)
 
 } // namespace Drydock
 
-FScreenPassTexture AddGaussianBloomPasses(
+FScreenPassTexture Drydock::BuiltInAddGaussianBloomPasses(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTextureDownsampleChain* SceneDownsampleChain)
 {
 	check(SceneDownsampleChain);

@@ -5,6 +5,7 @@
 #include "Blur/FilterShaders.h"
 #include "HAL/IConsoleManager.h"
 #include "PassFactory.h"
+#include "PassFunctions.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -197,7 +198,7 @@ const FPassFactoryRegistration GGaussianBlur({
 
 } // namespace Drydock
 
-FScreenPassTexture AddGaussianBlurPass(
+FScreenPassTexture Drydock::BuiltInAddGaussianBlurPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Inputs)
 {
 	check(Inputs.Filter.IsValid());

@@ -2,6 +2,7 @@
 #include "Exposure/PostProcessEyeAdaptation.h"
 
 #include "GlobalShader.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -148,7 +149,7 @@ FRDGBufferRef CreateManualEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, const F
 
 } // namespace Drydock
 
-FRDGBufferRef AddHistogramEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FRDGBufferRef Drydock::BuiltInAddHistogramEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationInputs& Inputs, FRDGTextureRef HistogramTexture)
 {
 	check(HistogramTexture);
@@ -162,7 +163,7 @@ FRDGBufferRef AddHistogramEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FVi
 	return Output;
 }
 
-FScreenPassTexture AddBasicEyeAdaptationSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FScreenPassTexture Drydock::BuiltInAddBasicEyeAdaptationSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationParameters& Parameters, FScreenPassTexture SceneColor)
 {
 	check(SceneColor.IsValid());
@@ -182,7 +183,7 @@ FScreenPassTexture AddBasicEyeAdaptationSetupPass(FRDGBuilder& GraphBuilder, con
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 
-FRDGBufferRef AddBasicEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FRDGBufferRef Drydock::BuiltInAddBasicEyeAdaptationPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationInputs& Inputs, FScreenPassTexture SceneColor, FRDGTextureRef MeterMask)
 {
 	check(SceneColor.IsValid());

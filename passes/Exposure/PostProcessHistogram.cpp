@@ -3,6 +3,7 @@
 #include "Exposure/PostProcessHistogram.h"
 
 #include "Exposure/ExposureMetering.h"
+#include "PassFunctions.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
 #include "ShaderParameterStruct.h"
@@ -117,7 +118,7 @@ void CountAndWrite(FRHITexture& Input, FRHITexture* Mask, const FHistogramWork& 
 
 } // namespace
 
-FRDGTextureRef AddHistogramPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FRDGTextureRef Drydock::BuiltInAddHistogramPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationParameters& Parameters, FScreenPassTexture SceneColor, FRDGTextureRef MeterMask)
 {
 	check(SceneColor.IsValid());

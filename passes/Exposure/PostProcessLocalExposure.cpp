@@ -7,6 +7,7 @@
 #include "Exposure/PostProcessEyeAdaptationParameters.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -146,7 +147,7 @@ FLocalExposureParameters GetLocalExposureParameters(
 	return Parameters;
 }
 
-FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FRDGTextureRef Drydock::BuiltInAddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor)
 {
 	check(SceneColor.IsValid());
@@ -174,7 +175,7 @@ FRDGTextureRef AddLocalExposurePass(FRDGBuilder& GraphBuilder, const FViewInfo& 
 	return Grid;
 }
 
-FRDGTextureRef AddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FRDGTextureRef Drydock::BuiltInAddLocalExposureBlurredLogLuminancePass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor, float KernelSizePercent)
 {
 	check(SceneColor.IsValid());

@@ -3,6 +3,7 @@
 
 #include "Lens/DiaphragmDOFShaders.h"
 #include "Math/ToInteger.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -197,12 +198,9 @@ private:
 
 } // namespace
 
-namespace DiaphragmDOF
-{
-
-FScreenPassTexture AddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FScreenPassTexture Drydock::BuiltInAddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor,
-	const FPhysicalCocModel& Model, const FBokehModel& Bokeh)
+	const DiaphragmDOF::FPhysicalCocModel& Model, const DiaphragmDOF::FBokehModel& Bokeh)
 {
 	check(SceneColor.IsValid());
 	check(SceneTextures);
@@ -213,5 +211,3 @@ FScreenPassTexture AddPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	RDG_EVENT_SCOPE(GraphBuilder, "DepthOfField");
 	return FDOFPasses(GraphBuilder, View, SceneTextures, SceneColor, Model, Bokeh).AddAll();
 }
-
-} // namespace DiaphragmDOF

@@ -3,6 +3,7 @@
 
 #include "Lens/MotionBlurShaders.h"
 #include "Math/ToInteger.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -158,7 +159,8 @@ FMotionBlurInputs FMotionBlurInputs::FromSettings(
 	return Inputs;
 }
 
-FScreenPassTexture AddMotionBlurPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMotionBlurInputs& Inputs)
+FScreenPassTexture Drydock::BuiltInAddMotionBlurPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FMotionBlurInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.SceneTextures);

@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -54,7 +55,8 @@ EFXAAQuality GetFXAAQuality()
 		FMath::Clamp(CVarFXAAQuality.GetValueOnRenderThread(), 0, static_cast<int32>(EFXAAQuality::MAX) - 1));
 }
 
-FScreenPassTexture AddFXAAPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFXAAInputs& Inputs)
+FScreenPassTexture Drydock::BuiltInAddFXAAPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFXAAInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	const FScreenPassRenderTarget Output =

@@ -3,6 +3,7 @@
 
 #include "HAL/IConsoleManager.h"
 #include "PassFactory.h"
+#include "PassFunctions.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
@@ -94,7 +95,7 @@ EDownsampleQuality GetDownsampleChainQuality()
 	return ToDownsampleQuality(CVarDownsampleChainQuality.GetValueOnRenderThread());
 }
 
-FScreenPassTexture AddDownsamplePass(
+FScreenPassTexture Drydock::BuiltInAddDownsamplePass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FDownsamplePassInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());

@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -60,7 +61,8 @@ EUpscaleMethod GetUpscaleMethod()
 		FMath::Clamp(CVarUpscaleQuality.GetValueOnRenderThread(), 0, static_cast<int32>(EUpscaleMethod::MAX) - 1));
 }
 
-FScreenPassTexture AddUpscalePass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FUpscaleInputs& Inputs)
+FScreenPassTexture Drydock::BuiltInAddUpscalePass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FUpscaleInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	const FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid()
@@ -84,7 +86,7 @@ FScreenPassTexture AddUpscalePass(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	Permutation.Set<FUpscaleMethodDimension>(Inputs.Method);
 	TShaderMapRef<FUpscalePS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
-		RDG_EVENT_NAME("PrimaryUpscale(%s) %dx%d -> %dx%d", ToString(Inputs.Method), From.X, From.Y, To.X, To.Y),
+		RDG_EVENT_NAME("PrimaryUpscale(%s) %dx%d -> %dx%d", ::ToString(Inputs.Method), From.X, From.Y, To.X, To.Y),
 		PixelShader, PassParameters, Output.ViewRect);
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }

@@ -3,6 +3,7 @@
 #include "Tonemap/PostProcessCombineLUTs.h"
 
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
@@ -195,7 +196,7 @@ bool IsTonemapLUTUsed()
 
 } // namespace Drydock
 
-FRDGTextureRef AddCombineLUTPass(FRDGBuilder& GraphBuilder, const FViewInfo& View)
+FRDGTextureRef Drydock::BuiltInAddCombineLUTPass(FRDGBuilder& GraphBuilder, const FViewInfo& View)
 {
 	const Drydock::FColorRemap Remap = Drydock::MakeColorRemap(GraphBuilder, View);
 	const bool bCompute = View.bUseComputePasses;

@@ -3,6 +3,7 @@
 
 #include "Exposure/ExposureFactory.h"
 #include "PassFactory.h"
+#include "PassFunctions.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
@@ -191,7 +192,8 @@ const FPassFactoryRegistration GTonemap({
 
 } // namespace Drydock
 
-FScreenPassTexture AddTonemapPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
+FScreenPassTexture Drydock::BuiltInAddTonemapPass(
+	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTonemapInputs& Inputs)
 {
 	check(Inputs.SceneColor.IsValid());
 	check(Inputs.EyeAdaptationBuffer);

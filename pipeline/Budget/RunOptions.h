@@ -43,6 +43,7 @@ struct FRunOptions
 	FOutputKinds WriteByDefault = GetAllOutputKinds(); // where neither says anything
 	std::string Engine;                                // "5.6"; beats the config's; empty: that
 	std::vector<std::string> Plugins;                  // shared objects; one in place of the config's of its file name
+	std::vector<std::string> Overlays;                 // folders, beside the config's
 	std::optional<std::array<double, 3>> Location;     // of the view, cm; beats the config's and the scene's
 	std::optional<std::array<int, 4>> Padding;         // left, top, right, bottom, texels; beats the config's
 	std::optional<double> ScreenPercentage;            // above 0; beats the config's

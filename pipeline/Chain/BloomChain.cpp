@@ -6,6 +6,7 @@
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Bloom/ToonBloomSetup.h"
 #include "Effects/Effect.h"
+#include "Overlay/ChainPlaces.h"
 #include "RenderGraphBuilder.h"
 #include "SceneRendering.h"
 #include "Screen/PostProcessDownsample.h"
@@ -46,6 +47,19 @@ FScreenPassTexture AddSetup(FRDGBuilder& GraphBuilder, const FViewInfo& View, co
 			   : AddBloomSetupPass(GraphBuilder, View, Setup);
 }
 
+/** The picture after the block of an overlay, whether that adds the setup or not. */
+FScreenPassTexture RunSetupPlace(Drydock::FAnyFunction Place, FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FBloomChainInputs& Inputs, bool bRequired)
+{
+	FScreenPassTexture DownsampleInput = Inputs.HalfResolution;
+	Drydock::FBloomSetupPlace Locals = {GraphBuilder, View, *Inputs.PostProcessing, bRequired, DownsampleInput,
+		Inputs.EyeAdaptationBuffer, Inputs.EyeAdaptationParameters, Inputs.LocalExposureParameters,
+		Inputs.LocalExposure.BilateralGrid, Inputs.LocalExposure.BlurredLogLuminance,
+		{Drydock::IsLocalExposureAppliedToBloom()}};
+	reinterpret_cast<void (*)(Drydock::FBloomSetupPlace&)>(Place)(Locals);
+	return DownsampleInput;
+}
+
 /** The threshold is not read, as in the engine. The smaller pictures are there for r.Bloom.ScreenPercentage and are
  * culled where it asks for none. */
 FBloomChainOutputs AddFFTBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomChainInputs& Inputs)
@@ -76,13 +90,21 @@ FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 		return AddFFTBloomPasses(GraphBuilder, View, Inputs);
 	}
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
-	if (!(Threshold > NoThreshold) && Inputs.Toon == nullptr && !Inputs.LocalExposure.IsValid())
+	const bool bRequired = Threshold > NoThreshold || Inputs.LocalExposure.IsValid();
+	FScreenPassTexture BloomInput = Inputs.HalfResolution;
+	if (const Drydock::FAnyFunction Place = Drydock::FindPassReplacement(Drydock::BloomSetupPlaceName))
+	{
+		BloomInput = RunSetupPlace(Place, GraphBuilder, View, Inputs, bRequired);
+	}
+	else if (bRequired || Inputs.Toon != nullptr)
+	{
+		BloomInput = AddSetup(GraphBuilder, View, Inputs, Inputs.HalfResolution, Threshold, Inputs.LocalExposure);
+	}
+	if (BloomInput == Inputs.HalfResolution)
 	{
 		return {AddGaussianBloomPasses(GraphBuilder, View, Inputs.SceneDownsampleChain)};
 	}
 	FTextureDownsampleChain BloomChain;
-	BloomChain.Init(GraphBuilder, View,
-		AddSetup(GraphBuilder, View, Inputs, Inputs.HalfResolution, Threshold, Inputs.LocalExposure),
-		GetDownsampleChainQuality(), TEXT("BloomDownsample"));
+	BloomChain.Init(GraphBuilder, View, BloomInput, GetDownsampleChainQuality(), TEXT("BloomDownsample"));
 	return {AddGaussianBloomPasses(GraphBuilder, View, &BloomChain)};
 }

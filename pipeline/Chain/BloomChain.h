@@ -4,6 +4,7 @@
 
 #include "Bloom/PostProcessToonBloom.h"
 #include "Exposure/PostProcessLocalExposure.h"
+#include "PostProcess/PostProcessInputs.h"
 #include "RenderGraphFwd.h"
 #include "Screen/PostProcessDownsample.h"
 #include "ScreenPass.h"
@@ -24,6 +25,11 @@ struct FBloomChainInputs
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	/** Not valid where it is off, or does not act on bloom. A convolution reads none, as in the engine. */
 	Drydock::FLocalExposureTextures LocalExposure;
+	/** The parameters of both, whether local exposure acts or not. */
+	FEyeAdaptationParameters EyeAdaptationParameters;
+	FLocalExposureParameters LocalExposureParameters;
+	/** For the code of an engine overlay. */
+	const FPostProcessingInputs* PostProcessing = nullptr;
 	/** Set where toon bloom is active. */
 	const Drydock::FToonBloomInputs* Toon = nullptr;
 };

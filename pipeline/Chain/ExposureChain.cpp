@@ -65,6 +65,7 @@ FExposureChainOutputs AddExposurePasses(
 	Adaptation.Parameters = GetEyeAdaptationParameters(View, Method, Last == nullptr);
 
 	FExposureChainOutputs Outputs;
+	Outputs.EyeAdaptationParameters = Adaptation.Parameters;
 	FLocalExposureParameters LocalExposure;
 	if (Inputs.bLocalExposure)
 	{

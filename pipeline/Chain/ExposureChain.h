@@ -27,6 +27,7 @@ struct FExposureChainOutputs
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
 	/** Null where there is none. */
 	FRDGTextureRef Histogram = nullptr;
+	FEyeAdaptationParameters EyeAdaptationParameters;
 	/** Not valid where it is off. */
 	Drydock::FLocalExposureTextures LocalExposure;
 };

@@ -9,6 +9,7 @@
 #include "Chain/ExposureChain.h"
 #include "Chain/InsertionPoints.h"
 #include "Effects/Effects.h"
+#include "Overlay/ChainPlaces.h"
 #include "SceneViewState.h"
 #include "Screen/PostProcessAA.h"
 #include "Screen/PostProcessDownsample.h"
@@ -124,6 +125,7 @@ public:
 		ExposureInputs.bLocalExposure = IsActive(EEffect::LocalExposure);
 		const FExposureChainOutputs Exposure = AddExposurePasses(GraphBuilder, View, ExposureInputs);
 		EyeAdaptationBuffer = Exposure.EyeAdaptationBuffer;
+		EyeAdaptationParameters = Exposure.EyeAdaptationParameters;
 		LocalExposure = Exposure.LocalExposure;
 		Outputs.Histogram = Exposure.Histogram;
 	}
@@ -162,6 +164,15 @@ public:
 				BloomInputs.LocalExposure = LocalExposure;
 			}
 			BloomInputs.Toon = bToonBloom ? &ToonInputs : nullptr;
+			FPostProcessingInputs PostProcessing;
+			if (FindPassReplacement(BloomSetupPlaceName))
+			{
+				PostProcessing.SceneTextures = GetSceneTextures();
+				PostProcessing.ViewFamilyTexture = Inputs.ViewFamilyTexture;
+				BloomInputs.PostProcessing = &PostProcessing;
+				BloomInputs.EyeAdaptationParameters = EyeAdaptationParameters;
+				BloomInputs.LocalExposureParameters = LocalExposure.Parameters;
+			}
 			const FBloomChainOutputs BloomOutputs = AddBloomPasses(GraphBuilder, View, BloomInputs);
 			Bloom = BloomOutputs.Bloom;
 			SceneColorApplyParameters = BloomOutputs.SceneColorApplyParameters;
@@ -400,6 +411,7 @@ private:
 	FScreenPassTexture HalfResolution;
 	FSceneDownsampleChain SceneDownsampleChain;
 	FRDGBufferRef EyeAdaptationBuffer = nullptr;
+	FEyeAdaptationParameters EyeAdaptationParameters;
 	FLocalExposureTextures LocalExposure;
 	FScreenPassTexture Bloom;
 	FRDGBufferRef SceneColorApplyParameters = nullptr;

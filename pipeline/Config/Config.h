@@ -145,11 +145,19 @@ struct FConfigShowFlag
 	FConfigPlace Place;
 };
 
+/** An engine overlay: a folder, as written, and the folders, as written, that it stands over. */
+struct FConfigOverlay
+{
+	TConfigValue<std::string> Folder;
+	std::vector<std::string> Over;
+};
+
 struct FConfig
 {
 	std::string File; // as given on the command line
 	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
+	std::vector<FConfigOverlay> Overlays;
 	FJsonValue Objects;                             // as it stands, null where there is none: see FObjectValues
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given

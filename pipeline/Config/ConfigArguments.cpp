@@ -127,6 +127,12 @@ void AddPluginArgument(FConfig& Config, const std::string& File)
 	Config.Plugins.push_back(Plugin);
 }
 
+void AddOverlayArgument(FConfig& Config, const std::string& Folder)
+{
+	const std::string Path = std::filesystem::absolute(Folder).lexically_normal().string();
+	Config.Overlays.push_back({{Path, {0, 0, "--overlay"}}, {}});
+}
+
 void AddSettingArgument(FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(CommandLine, Diagnostics);

@@ -19,6 +19,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"", "$schema", String, "", 0, Optional, "Path of this schema: gives completion in editors."},
 		{"", "engine", String, Engines.c_str(), 0, Optional, "Engine version whose behaviour holds; 5.4 by default."},
 		{"", "plugins", StringArray, "", 0, Optional, "Shared objects to load, relative to the config."},
+		{"", "overlay", Anything, "", 0, Optional, "Engine overlay: a folder, relative to the config; a list of folders; or {\"folder\": \"B\", \"over\": \"A\"} in a list."},
 		{"", "objects", Object, "objects", 0, Optional, "Values for fields (UPROPERTY) of the plugins' classes, by class."},
 		{"", "scene", Object, "scene", 0, Optional, "The rendered input frame; required by every verb that builds a frame."},
 		{"", "view", Object, "view", 0, Optional, "The camera; without it the scene file's own."},

@@ -158,6 +158,41 @@ void ReadObjects(const FJsonValue& Root, const char* Key, std::vector<FJsonValue
 		});
 }
 
+/** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. What is neither was reported. */
+void ReadOverlay(const FJsonValue& Value, FConfig& Config)
+{
+	if (Value.Type == EJsonType::String)
+	{
+		Config.Overlays.push_back({{Value.String, PlaceOf(Value)}, {}});
+	}
+	else if (Value.Type == EJsonType::Array)
+	{
+		std::for_each(Value.Elements.begin(), Value.Elements.end(),
+			[&](const FJsonValue& Element) { ReadOverlay(Element, Config); });
+	}
+	else if (Value.Type == EJsonType::Object)
+	{
+		FConfigOverlay Overlay;
+		WithMember(Value, "folder", EJsonType::String,
+			[&](const FJsonValue& Folder) {
+				Overlay.Folder = {Folder.String, PlaceOf(Folder)};
+			});
+		const FJsonValue* const Over = Value.Find("over");
+		if (Over != nullptr && Over->Type == EJsonType::Array)
+		{
+			for (const FJsonValue& Below : Over->Elements)
+			{
+				Overlay.Over.push_back(Below.String);
+			}
+		}
+		else if (Over != nullptr)
+		{
+			Overlay.Over.push_back(Over->String);
+		}
+		Config.Overlays.push_back(std::move(Overlay));
+	}
+}
+
 void ReadPlugins(const FJsonValue& Root, FConfig& Config)
 {
 	WithMember(Root, "plugins", EJsonType::Array,
@@ -171,6 +206,10 @@ void ReadPlugins(const FJsonValue& Root, FConfig& Config)
 				}
 			}
 		});
+	if (const FJsonValue* const Overlay = Root.Type == EJsonType::Object ? Root.Find("overlay") : nullptr)
+	{
+		ReadOverlay(*Overlay, Config);
+	}
 	WithMember(Root, "objects", EJsonType::Object, [&](const FJsonValue& Objects) { Config.Objects = Objects; });
 }
 

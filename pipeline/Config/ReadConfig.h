@@ -46,6 +46,9 @@ DRYDOCK_API void SetEngineArgument(FConfig& Config, const std::string& Version, 
  * them. */
 DRYDOCK_API void AddPluginArgument(FConfig& Config, const std::string& File);
 
+/** `--overlay`: a folder, relative to the working folder, beside the config's overlays. */
+DRYDOCK_API void AddOverlayArgument(FConfig& Config, const std::string& Folder);
+
 /** Adds `Setting=Value` of the command line. */
 DRYDOCK_API void AddSettingArgument(
 	FConfig& Config, const std::string& Argument, std::vector<FDiagnostic>& Diagnostics);

@@ -84,6 +84,7 @@ struct FViewConditions
 	float PreExposure = 1.0f;               // that colours are stored with
 	double ScreenPercentage = 100.0;        // of the config, whatever the show flag says
 	std::vector<std::string> NamedSettings; // by a volume, the camera or --pp, sorted
+	bool bOverlaid = false;                 // by engine overlays, whose passes no gate by content was made for
 	bool bNoSkip = false;                   // neutral values do not keep an effect from running
 };
 

@@ -123,7 +123,7 @@ std::vector<FEffectDecision> DecideBySettings(const FEffectInputs& Inputs, FEffe
 FContentQuestions AskContent(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Decided)
 {
 	FContentQuestions Questions;
-	if (Inputs.Conditions.bNoSkip)
+	if (Inputs.Conditions.bNoSkip || Inputs.Conditions.bOverlaid)
 	{
 		return Questions;
 	}

@@ -1,6 +1,7 @@
 // The factor on the bloom of toon-shaded pixels (BloomToonIntensity), which the bloom setup pass applies. Source:
 // docs/effects.md (the article); conditions, gate and wording are drydock's.
 #include "Bloom/PostProcessToonBloom.h"
+#include "Overlay/ChainPlaces.h"
 
 #include "Effects/Bloom.h"
 #include "Effects/ContentGate.h"
@@ -53,6 +54,10 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 	if (Mode == 0)
 	{
 		Toon.Reason = "r.ToonBloom is 0";
+	}
+	else if (IsBloomSetupReplaced())
+	{
+		Toon.Reason = "an engine overlay adds the bloom setup";
 	}
 	else if (Mode < 0 && !bCalledFor)
 	{

@@ -9,6 +9,7 @@
 #include "GlobalShader.h"
 #include "Modules/ModuleManager.h"
 #include "PassFactory.h"
+#include "PassFunctions.h"
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
 
@@ -43,7 +44,7 @@ size_t CountRegistered()
 {
 	size_t NumShaders = 0;
 	ForEachGlobalShader([&](const FGlobalShaderType&) { ++NumShaders; });
-	return NumShaders + GetExtensionFactories().size() + GetPassFactories().size() + GetSettingFields().size();
+	return NumShaders + CountPassReplacements() + GetExtensionFactories().size() + GetPassFactories().size() + GetSettingFields().size();
 }
 
 std::string GetFileName(const std::string& Path)

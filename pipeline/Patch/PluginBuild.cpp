@@ -119,6 +119,17 @@ std::string Quote(const std::string& Text)
 	return Quoted + "\"";
 }
 
+/** A keyword and its values, each with a space before it; nothing where there are none. */
+std::string QuoteList(const char* Keyword, const std::vector<std::string>& Values)
+{
+	std::string Text = Values.empty() ? "" : Keyword;
+	for (const std::string& Value : Values)
+	{
+		Text += " " + Quote(Value);
+	}
+	return Text;
+}
+
 /** Folder of drydockConfig.cmake: of the installation, else of the build that this program belongs to. */
 std::string FindPackage()
 {
@@ -312,12 +323,10 @@ std::string FindPluginName(const std::string& Folder)
 
 std::string MakePluginProject(const FPluginBuild& Build, const std::string& Package)
 {
-	std::string Rest;
-	for (const std::string& Exclude : Build.Excludes)
-	{
-		Rest += (Rest.empty() ? "\n\tEXCLUDE " : " ") + Quote(Exclude);
-	}
-	Rest += Build.bUnity ? "\n\tUNITY" : "";
+	std::string Rest = QuoteList("\n\tEXCLUDE", Build.Excludes) + QuoteList("\n\tSOURCES", Build.Sources) +
+					   (Build.bUnity ? "\n\tUNITY" : "");
+	const std::string Includes = QuoteList("", Build.IncludeFolders);
+	const std::string Definitions = QuoteList("", Build.Definitions);
 	return ProjectMark +
 		   " Everything is built beside this file, nothing in the plugin's folder.\n"
 		   "cmake_minimum_required(VERSION 3.25)\n"
@@ -332,7 +341,9 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		   Build.Name + "\n\tFOLDER " + Quote(Build.Folder) + Rest +
 		   ")\n"
 		   "target_compile_definitions(" +
-		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + ")\n";
+		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + Definitions + ")\n" +
+		   (Includes.empty() ? std::string()
+							 : "target_include_directories(" + Build.Name + " BEFORE PRIVATE" + Includes + ")\n");
 }
 
 namespace

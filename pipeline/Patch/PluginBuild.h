@@ -17,10 +17,14 @@ struct FPluginBuild
 	std::string BuildFolder;           // empty: build/NAME, below the working folder
 	int EngineMinor = 0;               // 5.x that it is compiled for; 0: what the .uplugin or .uproject names, else 4
 	std::vector<std::string> Excludes; // EXCLUDE of drydock_add_plugin
-	bool bUnity = false;               // all sources as one file; else only where they do not compile one by one
-	std::string Compiler;              // empty: CMake's choice
-	int NumJobs = 0;                   // compilers at a time; 0: CMake's choice
-	int TimeLimitSeconds = 1800;       // for cmake, and for the compilers once more
+	// The code of an overlay. Sources: what is compiled, absolute; empty: what a plugin's folder has.
+	std::vector<std::string> Sources;
+	std::vector<std::string> IncludeFolders; // before all others
+	std::vector<std::string> Definitions;
+	bool bUnity = false;         // all sources as one file; else only where they do not compile one by one
+	std::string Compiler;        // empty: CMake's choice
+	int NumJobs = 0;             // compilers at a time; 0: CMake's choice
+	int TimeLimitSeconds = 1800; // for cmake, and for the compilers once more
 };
 
 struct FBuiltPlugin

@@ -46,6 +46,8 @@ void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
 		.SetType("N");
 	Verb.Add("--engine", Options.Engine, "Behave as this engine version; overrides the config")
 		.SetType(FindConfigKey("", "engine")->Of);
+	Verb.AddRepeated("--overlay", "DIR", Options.Overlays,
+		"Put an engine overlay in place of drydock's own files, beside the config's overlays; repeats");
 	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
 		"Load a plugin; replaces the config's plugin of the same file name; repeats");
 	AddTrust(Verb, Options);

@@ -2,6 +2,7 @@
 #include "Config/ReadConfig.h"
 #include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
+#include "Overlay/OverlayFolder.h"
 #include "PrintText.h"
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
@@ -138,6 +139,21 @@ void AddPlugin(const std::string& Path, FWatchedFiles& Files)
 	}
 }
 
+/** The files of an overlay that are read. */
+void AddOverlay(const std::string& Path, FWatchedFiles& Files)
+{
+	std::vector<FDiagnostic> Ignored;
+	const FOverlayFolder Overlay = ReadOverlayFolder(Path, Ignored);
+	for (const std::string& File : Overlay.Read)
+	{
+		Files.AddFile(File);
+	}
+	for (const std::string& Shader : Overlay.Shaders)
+	{
+		Files.AddFile(Overlay.GetShaderFile(Shader));
+	}
+}
+
 /** The files that a run reads: the config, its scene, its plugins, and every shader file. */
 FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 {
@@ -159,6 +175,14 @@ FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
 		for (const std::string& Plugin : Options.Run.Plugins)
 		{
 			AddPlugin(Plugin, Files);
+		}
+		for (const FConfigOverlay& Overlay : Config.Overlays)
+		{
+			AddOverlay(Config.Resolve(Overlay.Folder.Value), Files);
+		}
+		for (const std::string& Overlay : Options.Run.Overlays)
+		{
+			AddOverlay(Overlay, Files);
 		}
 	}
 	catch (const FError&)

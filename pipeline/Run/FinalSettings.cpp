@@ -239,6 +239,7 @@ FViewSettings MakeViewSettings(const FConfig& Config, std::vector<FDiagnostic>* 
 	View.bAutoExposure = Config.View.bAutoExposure;
 	View.ExposureScale = ComputeExposureScale(Config, View);
 	View.bNoSkip = Config.bNoSkip;
+	View.bOverlaid = !Config.Overlays.empty();
 	View.NamedSettings = GetNamedSettings(Config);
 	return View;
 }

@@ -147,6 +147,10 @@ void AddVariableArguments(FConfig& Config, const FRunOptions& Options, std::vect
 
 void AddPluginArguments(FConfig& Config, const FRunOptions& Options)
 {
+	for (const std::string& Overlay : Options.Overlays)
+	{
+		AddOverlayArgument(Config, Overlay);
+	}
 	for (const std::string& Plugin : Options.Plugins)
 	{
 		AddPluginArgument(Config, Plugin);
@@ -177,6 +181,7 @@ FConfig ReadWithArguments(
 struct FPluginsOfRun
 {
 	FLoadedPlugins Loaded;
+	FOverlaysOfRun Overlays;
 	std::vector<FDiagnostic> Diagnostics;
 };
 
@@ -185,6 +190,18 @@ FPluginsOfRun LoadPluginsOfRun(const FConfigDocument& Document, const FRunOption
 	FConfig Config = ReadConfigPlugins(Document);
 	AddPluginArguments(Config, Options);
 	FPluginsOfRun Plugins;
+	if (!Config.Overlays.empty())
+	{
+		if (!Options.Engine.empty())
+		{
+			SetEngineArgument(Config, Options.Engine, Plugins.Diagnostics);
+		}
+		Plugins.Overlays = PrepareOverlays(Config, Options.bNoPlugins, Plugins.Diagnostics);
+		for (const std::string& Library : Plugins.Overlays.Libraries)
+		{
+			Config.Plugins.push_back({Library, {0, 0, "/overlay"}});
+		}
+	}
 	if (Options.bNoPlugins)
 	{
 		RefusePlugins(Config, Plugins.Diagnostics);
@@ -395,6 +412,8 @@ FRunSetup::FRunSetup(const FRunOptions& Options, ESceneNeed Need)
 {
 	const FConfigDocument Document = OpenDocument(Options);
 	const FPluginsOfRun OfPlugins = LoadPluginsOfRun(Document, Options);
+	ActiveOverlays.emplace(OfPlugins.Overlays);
+	Overlays = OfPlugins.Overlays.Folders;
 	Variables.emplace(); // with those that plugins brought
 	OfRun = ReadRun(Document, Options, Need, OfPlugins.Diagnostics);
 	FFrameOfRun Frame = PlaceFrame(OfRun, Options.Frame);

@@ -7,6 +7,7 @@
 #include "Effects/Effect.h"
 #include "Extensions/InsertedPass.h"
 #include "HAL/ConsoleVariableTools.h"
+#include "Overlay/Overlays.h"
 #include "SceneFile/SceneCheck.h"
 #include "SceneViewExtension.h"
 #include "Screen/TextureAssets.h"
@@ -69,6 +70,8 @@ struct DRYDOCK_API FRunSetup
 	std::vector<FDiagnostic> Diagnostics;
 	/** Files of plugins, loaded before anything else is read. */
 	std::vector<std::string> Plugins;
+	/** The engine overlays that act, in the order in which they stack. */
+	std::vector<FOverlayFolder> Overlays;
 	/** The config of this frame. */
 	FConfig Config;
 	FViewSettings Settings;                      // at the view's location
@@ -80,6 +83,7 @@ private:
 	/** Blends the frame's settings. */
 	void TakeFrame(FFrameOfRun Frame);
 
+	std::optional<FScopedOverlays> ActiveOverlays;
 	std::optional<FRunVariables> Variables;
 	std::optional<FScopedTextureLoader> TextureLoader;
 	FRunExtensions Extensions;

@@ -9,6 +9,11 @@
 #include "PostProcessSettingsEnums.h"
 #include "WeightedBlendables.h"
 
+// Made for the code of an engine overlay (docs/overlays.md): enums of the settings that its Scene.h adds.
+#ifdef DRYDOCK_OVERLAY_TYPES
+#include DRYDOCK_OVERLAY_TYPES
+#endif
+
 /** One tint per lens flare. */
 using FLensFlareTints = FLinearColor[8];
 
@@ -36,6 +41,11 @@ struct FPostProcessSettings
 
 	/** Ours: values of settings that plugins have added; read and set by their TPostProcessSetting. */
 	Drydock::FAddedSettings AddedSettings;
+
+// Empty members of the same settings, which read AddedSettings under the engine's names.
+#ifdef DRYDOCK_OVERLAY_SETTINGS
+#include DRYDOCK_OVERLAY_SETTINGS
+#endif
 
 	/** Defaults for all values and override bits; no blendables. */
 	void SetBaseValues()

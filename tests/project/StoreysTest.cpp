@@ -28,10 +28,10 @@ const std::map<std::string, FSteps> GRooms = {
 			{"shader/Glslang"}, {"shader/Compiler"}, {"shader/Lint"}, {"inspect"}, {"vulkan"}}},
 	{"settings", {{"Table"}, {"Blend", "Text"}, {"Final"}}},
 	{"passes", {{"World"}, {"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"},
-				   {"Native"}}},
-	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Chain"},
-					 {"Frame"}, {"Budget"}, {"Run"},
-					 {"Sequence", "Study", "Blend", "Patch", "Import", "Inspect", "Prove", "Hazards"},
+				   {"Native"}, {"Overlay"}}},
+	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Patch"},
+					 {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
+					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards"},
 					 {"Matrix", "Report"}, {"Program"}}},
 };
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace Drydock
@@ -22,6 +23,7 @@ struct FMappings
 {
 	std::mutex Mutex;
 	std::vector<FShaderDirectory> List;
+	std::vector<std::string> Overlays;
 };
 
 FMappings& GetMappings()
@@ -118,8 +120,51 @@ void ForgetShaderDirectories(size_t Keep)
 	Mappings.List.resize(std::min(Keep, Mappings.List.size()));
 }
 
+std::vector<std::string> SetShaderOverlays(std::vector<std::string> Folders)
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	return std::exchange(Mappings.Overlays, std::move(Folders));
+}
+
+std::vector<std::string> GetShaderOverlays()
+{
+	FMappings& Mappings = GetMappings();
+	const std::lock_guard Lock(Mappings.Mutex);
+	return Mappings.Overlays;
+}
+
+namespace
+{
+
+/** The file of an overlay; empty: none has it. */
+std::string FindOverlaidFile(const std::string& VirtualPath)
+{
+	constexpr std::string_view Root = "/Engine/";
+	if (!EqualsIgnoringCase(VirtualPath.substr(0, Root.size()), std::string(Root)))
+	{
+		return {};
+	}
+	const std::vector<std::string> Overlays = GetShaderOverlays();
+	for (auto Folder = Overlays.rbegin(); Folder != Overlays.rend(); ++Folder)
+	{
+		std::string Found = FindIgnoringCase(*Folder, VirtualPath.substr(Root.size()));
+		if (!Found.empty())
+		{
+			return Found;
+		}
+	}
+	return {};
+}
+
+} // namespace
+
 std::string FindShaderFile(const std::string& VirtualPath)
 {
+	if (std::string Overlaid = FindOverlaidFile(VirtualPath); !Overlaid.empty())
+	{
+		return Overlaid;
+	}
 	std::vector<FShaderDirectory> Fitting;
 	{
 		FMappings& Mappings = GetMappings();

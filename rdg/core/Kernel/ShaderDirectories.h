@@ -16,6 +16,11 @@ DRYDOCK_API void AddShaderDirectory(const std::string& VirtualDirectory, const s
 DRYDOCK_API void ForgetShaderDirectories(size_t Keep);
 DRYDOCK_API size_t CountShaderDirectories();
 
+/** Folders in the engine's layout (Engine/Shaders of overlays), whose files stand before those of every mapping of
+ * /Engine; a later folder stands before an earlier one. Returns the folders of before. */
+DRYDOCK_API std::vector<std::string> SetShaderOverlays(std::vector<std::string> Folders);
+DRYDOCK_API std::vector<std::string> GetShaderOverlays();
+
 /** Real path of a virtual shader path, empty when no mapping fits or the file does not exist. */
 DRYDOCK_API std::string FindShaderFile(const std::string& VirtualPath);
 

@@ -1,0 +1,97 @@
+// The table of the chain's pass functions. Each function of the engine's name goes through it: to drydock's own passes,
+// or to those of an engine overlay that is active. Source: drydock.
+#pragma once
+
+#include "CoreMinimal.h"
+#include "RenderGraphFwd.h"
+#include "SceneTextureParameters.h"
+#include "ScreenPass.h"
+
+#include <string>
+#include <vector>
+
+class FEyeAdaptationParameters;
+class FRDGBuilder;
+class FTextureDownsampleChain;
+class FViewInfo;
+struct FBloomSetupInputs;
+struct FDownsamplePassInputs;
+struct FEyeAdaptationInputs;
+struct FFFTBloomInputs;
+struct FFFTBloomOutput;
+struct FFXAAInputs;
+struct FGaussianBlurInputs;
+struct FMotionBlurInputs;
+struct FTonemapInputs;
+struct FUpscaleInputs;
+
+namespace DiaphragmDOF
+{
+struct FBokehModel;
+struct FPhysicalCocModel;
+} // namespace DiaphragmDOF
+
+namespace Drydock
+{
+
+// drydock's own passes: BuiltInAddBloomSetupPass, ...
+#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Inputs, Members) \
+	Result BuiltIn##Function(FRDGBuilder& GraphBuilder, const FViewInfo& View, const Inputs& PassInputs);
+#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Parameters, Arguments) \
+	Result BuiltIn##Function Parameters;
+#include "PassFunctions.inl"
+#undef DRYDOCK_PASS
+#undef DRYDOCK_PASS_INPUTS
+
+/** A row of the table, as the code of an overlay is written from it. */
+struct FPassFunction
+{
+	const char* Name = "";       // "AddBloomSetupPass", "DiaphragmDOF::AddPasses"
+	const char* Header = "";     // below Renderer/Private
+	const char* Shader = "";     // in /Engine/Private; empty: none
+	const char* Result = "";     // the type
+	const char* Parameters = ""; // with parentheses; empty where there are members
+	const char* Inputs = "";     // the struct whose members are handed over one by one; empty: none
+	std::vector<const char*> Members;
+};
+
+DRYDOCK_API const std::vector<FPassFunction>& GetPassFunctions();
+
+using FAnyFunction = void (*)();
+
+/** Puts a function of an overlay's library in the place of a pass function, or of a place of the chain
+ * (ChainPlaces.h), while the library is loaded and the overlay is active. Function: of the row's signature; where the
+ * row has members, it takes the graph builder, the view and a pointer to the members' addresses. */
+class DRYDOCK_API FPassReplacement
+{
+public:
+	FPassReplacement(const char* Name, FAnyFunction Function);
+	~FPassReplacement();
+	FPassReplacement(const FPassReplacement&) = delete;
+	FPassReplacement& operator=(const FPassReplacement&) = delete;
+
+private:
+	FAnyFunction Function;
+};
+
+/** While it lives, the replacements of these libraries (paths) act. The last one made wins; it must be destroyed first.
+ */
+class DRYDOCK_API FScopedPassReplacements
+{
+public:
+	explicit FScopedPassReplacements(const std::vector<std::string>& Libraries);
+	~FScopedPassReplacements();
+	FScopedPassReplacements(const FScopedPassReplacements&) = delete;
+	FScopedPassReplacements& operator=(const FScopedPassReplacements&) = delete;
+
+private:
+	std::vector<std::pair<std::string, FAnyFunction>> Before;
+};
+
+/** The active replacement of that name; null: drydock's own runs. */
+DRYDOCK_API FAnyFunction FindPassReplacement(const char* Name);
+
+/** How many are registered, by all libraries that are loaded. */
+DRYDOCK_API size_t CountPassReplacements();
+
+} // namespace Drydock

@@ -1,0 +1,39 @@
+// Makes a new overlay's files, and compares an overlay's files with those that it began with.
+#pragma once
+
+#include "Overlay/OverlayFolder.h"
+#include "Patch/PatchTemplate.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** Short names of the passes that an overlay can begin with: "BloomSetup", "Tonemap", ... */
+DRYDOCK_API std::vector<std::string> ListOverlayPasses();
+
+/** The files of a new overlay for that pass, sorted by path: the pass's shader, its C++ in the engine's form as far as
+ * drydock has it, a config and a small frame. Throws FError (exit code 2) for a name that is not in the list, 3 where
+ * drydock's own files are missing. */
+DRYDOCK_API std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::string& Pass);
+
+/** A run of changed lines. */
+struct FOverlayHunk
+{
+	std::string File;     // in the engine's tree
+	std::string Function; // its first line; empty: the hunk stands before the first function
+	std::string Lines;    // each with - or + before it
+	bool bOwn = false;    // it touches something of drydock's own
+};
+
+struct FOverlayDifference
+{
+	std::vector<FOverlayHunk> Hunks;
+	std::vector<std::string> NewFiles; // that drydock has no text of
+};
+
+/** Compares the overlay's files with drydock's. Throws FError (exit code 3) where `diff` cannot be started. */
+DRYDOCK_API FOverlayDifference CompareOverlay(const FOverlayFolder& Folder);
+
+} // namespace Drydock

@@ -1,0 +1,52 @@
+// Reads an engine overlay: a folder in the engine's own layout, whose shaders, pass functions, places of the chain and
+// settings stand in place of drydock's. Nothing is compiled here.
+#pragma once
+
+#include "Diagnostics.h"
+#include "Overlay/ChainPlaces.h"
+#include "Overlay/OverlaySettings.h"
+#include "PassFunctions.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** A block of the overlay's PostProcessing.cpp. */
+struct FOverlayPlace
+{
+	const FChainPlaceOfOverlay* Place = nullptr;
+	std::string File; // absolute
+	int Line = 0;     // of the block
+	std::string Text;
+};
+
+struct FOverlayFolder
+{
+	std::string Name;                         // the folder's
+	std::string Path;                         // absolute, without a slash at the end
+	std::vector<std::string> Shaders;         // virtual paths: "/Engine/Private/PostProcessBloom.usf"
+	std::vector<std::string> Sources;         // .cpp files that are compiled, absolute
+	std::vector<std::string> IncludeFolders;  // absolute
+	std::vector<const FPassFunction*> Passes; // that the sources define
+	std::vector<FOverlayPlace> Places;
+	std::vector<FOverlaySetting> Settings;
+	std::vector<std::string> EnumTexts; // definitions of the settings' enums
+	std::vector<std::string> Read;      // every file that was read, absolute
+	std::vector<std::string> Unused;    // files that nothing here reads, from the folder on
+
+	/** Whether it has anything to compile. */
+	bool HasCode() const { return !Passes.empty() || !Places.empty() || !Settings.empty(); }
+
+	/** The file of one of its shaders. */
+	std::string GetShaderFile(const std::string& Shader) const;
+
+	/** What it stands in for: shaders, functions, places and settings, by name. */
+	std::vector<std::string> ListReplaced() const;
+};
+
+/** Reads the folder. Mistakes are appended to Diagnostics, with file and line. */
+DRYDOCK_API FOverlayFolder ReadOverlayFolder(const std::string& Path, std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock

@@ -1,0 +1,46 @@
+// Reads the post-process settings that an overlay's Scene.h adds, with defaults from Scene.cpp and the rule of blending
+// from SceneView.cpp.
+#pragma once
+
+#include "Diagnostics.h"
+#include "DrydockAPI.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** A setting as it is written into C++. */
+struct FOverlaySetting
+{
+	std::string Name;
+	std::string Type;    // float, bool, int32, FLinearColor, FVector2D, FVector4 or an enum's name
+	std::string Default; // an expression of C++
+	std::string Min;     // a number; empty: no bound
+	std::string Max;
+	std::string Category;
+	std::string Doc;
+	std::string Blend; // Lerp, Set, SetIfNonZero; empty: the type's own
+	std::vector<std::string> EnumNames;
+};
+
+/** A file of the overlay and its text. */
+struct FOverlayText
+{
+	std::string File;
+	std::string Text; // empty where there is no such file
+};
+
+struct FOverlaySettings
+{
+	std::vector<FOverlaySetting> Settings;
+	std::vector<std::string> EnumTexts;
+};
+
+/** Every UPROPERTY of Header that has a bOverride_ bit there and is no setting of drydock's table. Defaults are those
+ * of Source or Header, else zero. Mistakes are appended to Diagnostics. */
+DRYDOCK_API FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayText& Source,
+	const FOverlayText& View, std::vector<FDiagnostic>& Diagnostics);
+
+} // namespace Drydock

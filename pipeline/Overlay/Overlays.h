@@ -1,0 +1,45 @@
+// The engine overlays of a run: reads their folders, checks what they fill, builds their code, and makes them act for
+// the run's length.
+#pragma once
+
+#include "Config/Config.h"
+#include "Overlay/OverlayFolder.h"
+#include "PassFunctions.h"
+
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+/** The overlays of a config in the order in which they stack: a later one stands over the earlier ones. */
+struct FOverlaysOfRun
+{
+	std::vector<FOverlayFolder> Folders;
+	std::vector<std::string> Libraries; // of those with code
+};
+
+/** Reads the folders of Config.Overlays and builds their libraries below build/ in the working folder. What is wrong is
+ * an error in Diagnostics, and then nothing is built. bRefuseCode: an overlay with C++ is an error. */
+DRYDOCK_API FOverlaysOfRun PrepareOverlays(
+	const FConfig& Config, bool bRefuseCode, std::vector<FDiagnostic>& Diagnostics);
+
+/** While it lives, the overlays act: their shaders stand before drydock's, their functions in the table. The libraries
+ * must be loaded (LoadPlugins). */
+class DRYDOCK_API FScopedOverlays
+{
+public:
+	explicit FScopedOverlays(const FOverlaysOfRun& Overlays);
+	~FScopedOverlays();
+	FScopedOverlays(const FScopedOverlays&) = delete;
+	FScopedOverlays& operator=(const FScopedOverlays&) = delete;
+
+private:
+	std::vector<std::string> ShadersBefore;
+	FScopedPassReplacements Replacements;
+};
+
+/** A line for each overlay: its name and what it replaces. */
+DRYDOCK_API std::vector<std::string> DescribeOverlays(const std::vector<FOverlayFolder>& Folders);
+
+} // namespace Drydock
