@@ -51,7 +51,7 @@ struct FChainPlaceOfOverlay
 	const char* Call = "";      // the pass function that the block calls
 };
 
-inline constexpr const char* BloomSetupPlaceName = "PostProcessing.cpp, bBloomSetupRequiredEnabled";
+inline constexpr const char* BloomSetupPlaceName = "PostProcessing.cpp: if (bBloomSetupRequiredEnabled)";
 
 /** Whether an overlay brings the bloom setup: its function or its block. */
 inline bool IsBloomSetupReplaced()

@@ -6,12 +6,13 @@ namespace Drydock
 
 enum EOverlayError
 {
-	ErrorOverlayFolder = 1110,  // a folder that does not exist, or has nothing of an overlay in it
-	ErrorOverlayPlace = 1111,   // a PostProcessing.cpp without a block that a place of the chain takes, or with two
-	ErrorOverlaySetting = 1112, // a setting of Scene.h that cannot be added
-	ErrorOverlaysClash = 1113,  // two overlays fill the same place, and neither stands over the other
-	ErrorOverlayRefused = 1114, // one with C++ in a run without plugins
-	NoteOverlayUnused = 1115,   // files of an overlay that nothing here reads
+	ErrorOverlayFolder = 1130,  // a folder that does not exist, or has nothing of an overlay in it
+	ErrorOverlayPlace = 1131,   // a PostProcessing.cpp without a block that a place of the chain takes, or with two
+	ErrorOverlaySetting = 1132, // a setting of Scene.h that cannot be added
+	ErrorOverlaysClash = 1133,  // two overlays fill the same place, and neither stands over the other
+	ErrorOverlayRefused = 1134, // one with C++ in a run without plugins
+	NoteOverlayUnused = 1135,   // files of an overlay that nothing here reads
+	NoteOverlay = 1136,         // what an overlay replaces
 };
 
 } // namespace Drydock

@@ -12,6 +12,7 @@
 #include "TextTools.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -98,17 +99,58 @@ std::string FindOriginal(const std::string& File)
 	return "";
 }
 
-/** Reads what `diff` prints: two lines of names, then hunks. */
-void TakeHunks(const std::string& File, const std::string& Output, std::vector<FOverlayHunk>& Hunks)
+/** The line that opens the function or the struct that a line of the file is in; empty: none does. */
+std::string FindFunction(const std::vector<std::string>& Lines, size_t Line)
 {
-	std::istringstream Lines(Output);
+	for (size_t Index = std::min(Line, Lines.size()); Index-- > 0;)
+	{
+		const std::string& Text = Lines[Index];
+		const bool bOutermost = !Text.empty() && (IsWordCharacter(Text[0]) || Text[0] == '}');
+		if (bOutermost && Text[0] == '}')
+		{
+			return Index + 1 == Line ? FindFunction(Lines, Index) : "";
+		}
+		const bool bHead = Text.starts_with("struct ") || Text.starts_with("class ") || Text.find('(') != Text.npos;
+		const auto At = Lines.begin() + static_cast<std::ptrdiff_t>(Index);
+		const bool bBody = Text.starts_with("BEGIN_") ||
+						   std::any_of(At, At + static_cast<std::ptrdiff_t>(std::min(Line, Lines.size()) - Index),
+							   [](const std::string& Next) { return Next.starts_with('{'); });
+		if (bOutermost && bHead && bBody && !Text.ends_with(';'))
+		{
+			return Trim(Text.substr(0, Text.find('(')));
+		}
+	}
+	return "";
+}
+
+std::vector<std::string> SplitLines(const std::string& Text)
+{
+	std::vector<std::string> Lines;
+	std::istringstream Stream(Text);
+	for (std::string Line; std::getline(Stream, Line);)
+	{
+		Lines.push_back(Line);
+	}
+	return Lines;
+}
+
+/** Reads what `diff` prints: two lines of names, then hunks "@@ -a,b +c,d @@". Those of one function are joined. */
+void TakeHunks(
+	const std::string& File, const std::string& Edited, const std::string& Output, std::vector<FOverlayHunk>& Hunks)
+{
+	const std::vector<std::string> Lines = SplitLines(Edited);
 	bool bInHunk = false;
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitLines(Output))
 	{
 		if (Line.starts_with("@@ "))
 		{
-			const size_t End = Line.find(" @@", 3);
-			Hunks.push_back({File, Trim(End == Line.npos ? "" : Line.substr(End + 3)), "", false});
+			const size_t Plus = Line.find('+');
+			const std::string Function =
+				FindFunction(Lines, Plus == Line.npos ? 0 : std::strtoul(Line.c_str() + Plus + 1, nullptr, 10));
+			if (Hunks.empty() || Hunks.back().File != File || Hunks.back().Function != Function)
+			{
+				Hunks.push_back({File, Function, "", false});
+			}
 			bInHunk = true;
 		}
 		else if (bInHunk && (Line.starts_with('+') || Line.starts_with('-')))
@@ -188,13 +230,13 @@ FOverlayDifference CompareOverlay(const FOverlayFolder& Folder)
 			continue;
 		}
 		const FChildResult Result =
-			RunChild({"diff", "-U0", "--show-function-line=^[[:alpha:]_][^;]*(", "--", Original, Path}, TimeLimit);
+			RunChild({"diff", "-U0", "--ignore-all-space", "--ignore-blank-lines", "--", Original, Path}, TimeLimit);
 		if (!Result.bStarted)
 		{
 			throw FError(
 				{.Code = ErrorOverlayFolder, .Message = "diff cannot be started: install diffutils"}, ExitFiles);
 		}
-		TakeHunks(File, Result.Output, Difference.Hunks);
+		TakeHunks(File, TryReadTextFile(Path).value_or(""), Result.Output, Difference.Hunks);
 	}
 	return Difference;
 }

@@ -22,7 +22,7 @@ DRYDOCK_API std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, co
 struct FOverlayHunk
 {
 	std::string File;     // in the engine's tree
-	std::string Function; // its first line; empty: the hunk stands before the first function
+	std::string Function; // its result and name, or that of a struct; empty: the hunk stands outside
 	std::string Lines;    // each with - or + before it
 	bool bOwn = false;    // it touches something of drydock's own
 };

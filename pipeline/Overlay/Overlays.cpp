@@ -92,6 +92,30 @@ std::string GetOwnIdentity()
 		   std::to_string(Files::last_write_time(File, Error).time_since_epoch().count());
 }
 
+/** A line for each overlay: its name and what it replaces. */
+std::vector<std::string> DescribeOverlays(const std::vector<FOverlayFolder>& Folders)
+{
+	std::map<std::string, std::string> Last;
+	for (const FOverlayFolder& Folder : Folders)
+	{
+		for (const std::string& Name : Folder.ListReplaced())
+		{
+			Last[Name] = Folder.Name;
+		}
+	}
+	std::vector<std::string> Lines;
+	for (const FOverlayFolder& Folder : Folders)
+	{
+		std::vector<std::string> Names;
+		for (const std::string& Name : Folder.ListReplaced())
+		{
+			Names.push_back(Last[Name] == Folder.Name ? Name : Name + " (" + Last[Name] + " stands over it)");
+		}
+		Lines.push_back("the overlay " + Folder.Name + " stands in for " + JoinText(Names));
+	}
+	return Lines;
+}
+
 /** Covers everything that the library is made from. */
 std::string HashOfBuild(const FOverlayFolder& Folder, const FOverlaySource& Source, const FPluginBuild& Build)
 {
@@ -177,14 +201,18 @@ FOverlaysOfRun PrepareOverlays(const FConfig& Config, bool bRefuseCode, std::vec
 	{
 		return Overlays;
 	}
-	for (const FOverlayFolder& Folder : Overlays.Folders)
+	const std::vector<std::string> Lines = DescribeOverlays(Overlays.Folders);
+	for (size_t Index = 0; Index < Ordered.size(); ++Index)
 	{
+		const FOverlayFolder& Folder = Overlays.Folders[Index];
+		const auto Note = [&](EOverlayError Code, const std::string& Message)
+		{
+			Diagnostics.push_back({ESeverity::Note, Code, Message, Ordered[Index].Folder.Value, 0, 0, {}});
+		};
+		Note(NoteOverlay, Lines[Index]);
 		if (!Folder.Unused.empty())
 		{
-			Diagnostics.push_back({.Severity = ESeverity::Note,
-				.Code = NoteOverlayUnused,
-				.Message = "nothing here reads these files of the overlay: " + JoinText(Folder.Unused),
-				.File = Folder.Path});
+			Note(NoteOverlayUnused, "nothing here reads these files of the overlay: " + JoinText(Folder.Unused));
 		}
 		if (Folder.HasCode())
 		{
@@ -208,29 +236,6 @@ FScopedOverlays::FScopedOverlays(const FOverlaysOfRun& Overlays)
 FScopedOverlays::~FScopedOverlays()
 {
 	SetShaderOverlays(std::move(ShadersBefore));
-}
-
-std::vector<std::string> DescribeOverlays(const std::vector<FOverlayFolder>& Folders)
-{
-	std::map<std::string, std::string> Last;
-	for (const FOverlayFolder& Folder : Folders)
-	{
-		for (const std::string& Name : Folder.ListReplaced())
-		{
-			Last[Name] = Folder.Name;
-		}
-	}
-	std::vector<std::string> Lines;
-	for (const FOverlayFolder& Folder : Folders)
-	{
-		std::vector<std::string> Names;
-		for (const std::string& Name : Folder.ListReplaced())
-		{
-			Names.push_back(Last[Name] == Folder.Name ? Name : Name + " (" + Last[Name] + " stands over it)");
-		}
-		Lines.push_back("overlay " + Folder.Name + " replaces " + JoinText(Names));
-	}
-	return Lines;
 }
 
 } // namespace Drydock

@@ -39,7 +39,4 @@ private:
 	FScopedPassReplacements Replacements;
 };
 
-/** A line for each overlay: its name and what it replaces. */
-DRYDOCK_API std::vector<std::string> DescribeOverlays(const std::vector<FOverlayFolder>& Folders);
-
 } // namespace Drydock

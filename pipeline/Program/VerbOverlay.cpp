@@ -65,7 +65,7 @@ std::string MakeDifferenceText(
 	{
 		Text += Hunk.File != File ? "--- " + Hunk.File + "\n+++ " + Hunk.File + "\n" : "";
 		File = Hunk.File;
-		Text += "@@ " + (Hunk.Function.empty() ? "before the first function" : Hunk.Function) + " @@" +
+		Text += "@@ " + (Hunk.Function.empty() ? "outside of functions" : Hunk.Function) + " @@" +
 				(Hunk.bOwn ? " # touches something of drydock's own, which the engine does not have" : "") + "\n" +
 				Hunk.Lines;
 	}
