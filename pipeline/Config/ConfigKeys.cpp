@@ -36,7 +36,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"objects", "*", Object, "object", 0, Optional, "Fields of a class by name; the class with or without its U."},
 		{"object", "*", Anything, "", 0, Optional, "A number, text, true or false, an array, or an object of a struct's fields."},
 
-		{"scene", "file", String, "", 0, Required, "Multi-layer EXR, or an RGB image (.exr, .hdr, .png, .jpg, .jpeg, .tga, .bmp), relative to the config; with #### in its name a sequence of frames."},
+		{"scene", "file", String, "", 0, Required, "Multi-layer EXR, or an RGB image, relative to the config; with #### in its name a sequence of frames. Formats: .exr, .hdr, .png, .jpg, .jpeg, .tga, .bmp, .tif, .tiff, .dpx."},
 		{"scene", "frames", String, "", 0, Optional, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
 		{"scene", "fps", Number, "", 0, Optional, "Frames of a sequence in a second; the scene file's by default, else 24."},
 		{"scene", "channels", StringMap, "", 0, Optional, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
