@@ -232,7 +232,7 @@ TEST(REDPostProcess, PrintedLastNodeExtractsFromTheBlur)
 	{
 		return std::pow(Screen(Color[Channel], Blurred[Channel] * Mask * 0.75), 1.5);
 	};
-	ExpectNear({Expected(0), Expected(1), Expected(2), 0.5},
+	ExpectNear({Expected(0), Expected(1), Expected(2), 1},
 		Combine(Color, Blurred, EREDPostProcessPass::DiffusionFilter2, Parameters));
 	Parameters.LuminanceThreshold = 2.0f; // above every luma to that power: the picture alone
 	EXPECT_NEAR(
@@ -256,8 +256,15 @@ TEST(REDPostProcess, PrintedChainHeedsLuminancePowAndThreshold)
 
 TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
 {
-	const FImage Image = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
-	for (const EREDPostProcessPass Pass : {EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::Glow})
+	const FImage Noise = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
+	const FImage Image = FImage::Make(16, 8,
+		[&](int X, int Y)
+		{
+			const FTexel Texel = Noise.At(X, Y);
+			return FTexel{Texel[0], Texel[1], Texel[2], 1}; // the printed last node writes alpha 1
+		});
+	for (const EREDPostProcessPass Pass :
+		{EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::SoftFocus, EREDPostProcessPass::Glow})
 	{
 		FREDPostProcessParameters Parameters;
 		Parameters.LuminancePow = 0.0f; // the printed last node then extracts all
@@ -266,6 +273,19 @@ TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
 		const FImage Corrected = RunPass(Image, Pass, Parameters, Blurred);
 		Parameters.bAsPrinted = true;
 		EXPECT_EQ(Corrected.Texels, RunPass(Image, Pass, Parameters, Blurred).Texels);
+	}
+}
+
+TEST(REDPostProcess, PrintedLastNodesWriteAlphaOne)
+{
+	// From the article: OutColor = float4(Result, 1.0f) of DiffusionFilter2PS, SoftFocus and Glow.
+	for (const EREDPostProcessPass Pass :
+		{EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::SoftFocus, EREDPostProcessPass::Glow})
+	{
+		FREDPostProcessParameters Parameters;
+		EXPECT_EQ(0.25, Combine({0.5, 0.5, 0.5, 0.25}, {0, 0, 0, 0.75}, Pass, Parameters)[3]) << ToString(Pass);
+		Parameters.bAsPrinted = true;
+		EXPECT_EQ(1.0, Combine({0.5, 0.5, 0.5, 0.25}, {0, 0, 0, 0.75}, Pass, Parameters)[3]) << ToString(Pass);
 	}
 }
 
