@@ -115,6 +115,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"study", "repetitions", Number, "", 0, Optional, "Timed runs per variant; 7 by default."},
 		{"study", "region", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; the whole picture is computed."},
 		{"study", "measure", String, "", 0, Optional, "Measured picture of frames: final (default), sceneLinear, toonShadow (the blurred one, as it would be displayed), or a resource by name or Pass.Resource."},
+		{"study", "passes", String, "", 0, Optional, "Passes of frames whose time, taps and bytes count, by name, with * and ?; all by default."},
 		{"study", "current", Anything, "", 0, Optional, "Variant of a study of blurs that is in use now, {axis: value}; for frames it is the config's own."},
 		{"axis", "name", String, "", 0, Required, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},
 		{"axis", "values", Anything, "", 0, Required, "The values it takes; {label, set: {name: value}} sets several things at once."},
