@@ -72,6 +72,12 @@ void SetEncoding(FImagePart& Part, const std::string& ColorSpace)
 
 FImagePart MakePart(const OIIO::ImageSpec& Spec)
 {
+	if (Spec.tile_width > 0)
+	{
+		throw std::runtime_error(
+			"its pixels are stored in tiles, and only rows are read; oiiotool makes rows of them with "
+			"--scanline");
+	}
 	FImagePart Part;
 	Part.Width = Spec.depth > 1 ? 0 : Spec.width; // a volume is not a picture
 	Part.Height = Spec.height;

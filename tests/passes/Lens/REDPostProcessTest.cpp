@@ -276,19 +276,6 @@ TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
 	}
 }
 
-TEST(REDPostProcess, PrintedLastNodesWriteAlphaOne)
-{
-	// From the article: OutColor = float4(Result, 1.0f) of DiffusionFilter2PS, SoftFocus and Glow.
-	for (const EREDPostProcessPass Pass :
-		{EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::SoftFocus, EREDPostProcessPass::Glow})
-	{
-		FREDPostProcessParameters Parameters;
-		EXPECT_EQ(0.25, Combine({0.5, 0.5, 0.5, 0.25}, {0, 0, 0, 0.75}, Pass, Parameters)[3]) << ToString(Pass);
-		Parameters.bAsPrinted = true;
-		EXPECT_EQ(1.0, Combine({0.5, 0.5, 0.5, 0.25}, {0, 0, 0, 0.75}, Pass, Parameters)[3]) << ToString(Pass);
-	}
-}
-
 TEST(REDPostProcess, SepiaIsTintedLuma)
 {
 	FREDPostProcessParameters Parameters;

@@ -355,6 +355,16 @@ TEST_F(ImageFormat, ColourIsDecodedAsTheFileStates)
 		ASSERT_TRUE(Output->write_image(OIIO::TypeDesc::FLOAT, Pixels.data()) && Output->close()) << Case.Name;
 		EXPECT_NEAR(Case.Expected, FImageFile(Path).Read({0}).at(0).at(0), 0.002) << Case.Name;
 	}
+	OIIO::ImageSpec Tiled(16, 16, 3, OIIO::TypeDesc::FLOAT);
+	Tiled.tile_width = Tiled.tile_height = 16;
+	const std::string TiledPath = (Folder / "tiled.tif").string();
+	const std::unique_ptr<OIIO::ImageOutput> Tiles = OIIO::ImageOutput::create(TiledPath);
+	ASSERT_TRUE(Tiles->open(TiledPath, Tiled) &&
+				Tiles->write_image(OIIO::TypeDesc::FLOAT, std::vector<float>(16 * 16 * 3).data()) && Tiles->close());
+	EXPECT_EQ(
+		"DD5002 the image file cannot be read: its pixels are stored in tiles, and only rows are read; oiiotool makes "
+		"rows of them with --scanline",
+		ErrorOf(TiledPath));
 	OIIO::ImageSpec Video(2, 1, 3, OIIO::TypeDesc::UINT16);
 	Video.attribute("oiio:ColorSpace", "Rec709");
 	const std::string Path = (Folder / "video.dpx").string();
