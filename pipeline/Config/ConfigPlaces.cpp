@@ -62,11 +62,10 @@ void SetConfigPlace(FJsonValue& Root, const std::string& Argument, const std::st
 		[&](const std::string& Step)
 		{
 			auto* Next = const_cast<FJsonValue*>(FindStep(*Value, Step)); // Value is not const
-			if (Next == nullptr && Value->Type == EJsonType::Array)
+			if (Next == nullptr && (Value->Type == EJsonType::Array || (Value == &Root && Step != "objects")))
 			{
 				throw FError({.Code = ErrorUnknownValue,
-								 .Message = "\"" + Value->Pointer + "\" has no element " + Step + "; it has " +
-											std::to_string(Value->Elements.size()),
+								 .Message = "the config has no " + Value->Pointer + "/" + Step,
 								 .File = File,
 								 .Where = Place},
 					ExitUsage);

@@ -16,7 +16,7 @@ bool IsConfigPlace(const std::string& Place);
 std::optional<std::string> FindPlaceText(const FJsonValue& Root, const std::string& Place);
 
 /** "/objects/UMySettings/Intensity=0.5": the value is JSON, and else text. Members that are missing are added. Throws
- * FError (exit code 2) for an element that an array does not have. */
+ * FError (exit code 2) for an element that "passes" or "extensions" does not have. */
 void SetConfigPlace(FJsonValue& Root, const std::string& Argument, const std::string& File);
 
 } // namespace Drydock
