@@ -22,7 +22,7 @@ namespace
 
 TAutoConsoleVariable<int32> CVarREDAsPrinted(TEXT("r.RED.AsPrinted"), 0,
 	TEXT("1: as the article prints it: a blur that doubles the light, the extract after it, screen and pow of light "
-		 "above 1; for depth of field that blur and no weights. Default 0."),
+		 "above 1. Alpha becomes 1. For depth of field: that blur and no weights. Default 0."),
 	ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarREDKernel(TEXT("r.RED.Kernel"), 0,
@@ -142,8 +142,7 @@ FScreenPassRenderTarget CreateOutput(FRDGBuilder& GraphBuilder, const FREDPostPr
 FREDPostProcessPS::FPermutationDomain GetPermutation(const FREDPostProcessPassInputs& Inputs)
 {
 	const bool bCombine = Inputs.Pass == EREDPostProcessPass::DiffusionFilter2;
-	const bool bHasTwoForms =
-		bCombine || Inputs.Pass == EREDPostProcessPass::DiffusionFilter || Inputs.Pass == EREDPostProcessPass::Glow;
+	const bool bHasTwoForms = ReadsBlurred(Inputs.Pass) || Inputs.Pass == EREDPostProcessPass::DiffusionFilter;
 	FREDPostProcessPS::FPermutationDomain Permutation;
 	Permutation.Set<FREDPostProcessPS::FPassDimension>(Inputs.Pass);
 	Permutation.Set<FREDPostProcessPS::FBlendDimension>(

@@ -32,7 +32,7 @@ FPassFactory MakeFactory(EREDPostProcessPass Pass, const char* Doc, std::vector<
 		Factory.Inputs.push_back({"Blurred", "", "The blurred picture, of any size; stretched over the input."});
 	}
 	Factory.Parameters = std::move(Parameters);
-	const bool bHasTwoForms = Pass != EREDPostProcessPass::DownSample && Pass != EREDPostProcessPass::SoftFocus;
+	const bool bHasTwoForms = Pass != EREDPostProcessPass::DownSample;
 	if (bHasTwoForms)
 	{
 		Factory.Parameters.push_back(GAsPrinted);

@@ -48,6 +48,9 @@ public:
 	DECLARE_GLOBAL_SHADER(FCharaGlowCompPS);
 	SHADER_USE_PARAMETER_STRUCT(FCharaGlowCompPS, FGlobalShader);
 
+	class FAsPrintedDimension : SHADER_PERMUTATION_BOOL("AS_PRINTED");
+	using FPermutationDomain = TShaderPermutationDomain<FAsPrintedDimension>;
+
 	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
 		SHADER_PARAMETER_STRUCT_INCLUDE(FSceneTextureShaderParameters, SceneTextures)
 		SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Color)
@@ -128,12 +131,14 @@ FCharaGlowInputs MakeCharaGlow(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	return Inputs;
 }
 
+const FParameterSpec GAsPrinted = FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.");
+
 const FPassFactoryRegistration GCharaGlow({
 	.Type = "CharaGlow",
 	.Doc = "The character mask of the G-buffer, widened by a box.",
 	.Inputs = {{"Input", PictureResource, "Gives size and rect."}},
 	.Parameters = {FParameterSpec::Number("Area", 4, 0.01, static_cast<double>(MaxCharaGlowArea), "Radius in pixels."),
-		FParameterSpec::Bool("AsPrinted", false, "The article's form, with its faults.")},
+		GAsPrinted},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
 	{
@@ -148,12 +153,14 @@ const FPassFactoryRegistration GCharaGlowComp({
 	.Type = "CharaGlowComp",
 	.Doc = "Adds the glow that a widened mask leaves outside the mask.",
 	.Inputs = {{"Input", PictureResource, "The picture."}, {"Widened", "", "Result of CharaGlow."}},
-	.Parameters = {FParameterSpec::Color("Color", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Alpha is the strength.")},
+	.Parameters = {FParameterSpec::Color("Color", FLinearColor(1.0f, 1.0f, 1.0f, 1.0f), "Alpha is the strength."),
+		GAsPrinted},
 	.Add =
 		[](FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPassArguments& Arguments)
 	{
 		FCharaGlowInputs Inputs = MakeCharaGlow(GraphBuilder, View, Arguments);
 		Inputs.Color = Arguments.Values.GetColor("Color");
+		Inputs.bAsPrinted = Arguments.Values.GetBool("AsPrinted");
 		return AddCharaGlowCompPass(GraphBuilder, View, Inputs, Arguments.GetInput("Widened"));
 	},
 });
@@ -197,7 +204,8 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	FScreenPassRenderTarget Output = Inputs.OverrideOutput.IsValid() ? Inputs.OverrideOutput
 																	 : CreateRasterTargetLike(GraphBuilder,
 																		   Inputs.SceneColor, TEXT("CharaGlowComp"));
-	const FIntRect Drawn = FindReach(Inputs);
+	// As printed the pass writes alpha 1, which reaches everywhere.
+	const FIntRect Drawn = Inputs.bAsPrinted ? Inputs.SceneColor.ViewRect : FindReach(Inputs);
 	if (Drawn != Inputs.SceneColor.ViewRect)
 	{
 		const FIntRect& Rect = Inputs.SceneColor.ViewRect;
@@ -215,7 +223,9 @@ FScreenPassTexture AddCharaGlowCompPass(FRDGBuilder& GraphBuilder, const FViewIn
 	PassParameters->GlowColor = Inputs.Color;
 	PassParameters->RenderTargets[0] = Output.GetRenderTargetBinding();
 
-	TShaderMapRef<FCharaGlowCompPS> PixelShader(View.ShaderMap);
+	FCharaGlowCompPS::FPermutationDomain Permutation;
+	Permutation.Set<FCharaGlowCompPS::FAsPrintedDimension>(Inputs.bAsPrinted);
+	TShaderMapRef<FCharaGlowCompPS> PixelShader(View.ShaderMap, Permutation);
 	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, View.ShaderMap,
 		RDG_EVENT_NAME("CharaGlowComp %dx%d", Drawn.Width(), Drawn.Height()), PixelShader, PassParameters,
 		Drawn == Inputs.SceneColor.ViewRect ? Output.ViewRect : Drawn);

@@ -5,6 +5,7 @@
 #include "Budget/RunOptions.h"
 #include "Budget/StudyBudget.h"
 #include "Budget/StudyRequest.h"
+#include "Config/ConfigPlaces.h"
 #include "Config/ConfigReader.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/Fmt.inl"
@@ -152,6 +153,13 @@ std::optional<FBudgetChoice> ReadBudgetChoice(
 		return KeepOwn("no variant of the study in " + Folder.string() + " meets the budget", Config, Diagnostics);
 	}
 	const FCandidate& Best = Candidates[*Chosen];
+	if (std::any_of(Best.Set.begin(), Best.Set.end(),
+			[](const FStudyAssignment& Assignment) { return IsConfigPlace(Assignment.Name); }))
+	{
+		return KeepOwn("the study in " + Folder.string() + " recommends " + Best.Label +
+						   ", which stands in \"objects\", \"passes\" or \"extensions\" and is not set by a budget",
+			Config, Diagnostics);
+	}
 	return FBudgetChoice{
 		Best.Set, fmt::format("{} ({} {:.3g}, {:.4g} ms) is the {} within the budget by the study in {}", Best.Label,
 					  Read->Budget.Metric, Best.WorstValue, Best.Median,

@@ -37,6 +37,7 @@ struct FRunOptions
 		size_t NumVariablesBefore = 0; // of Variables: where it stands among them
 	};
 	std::vector<FExec> Exec;                           // beat Variables
+	std::vector<std::string> ConfigPlaces;             // "/objects/UMySettings/Intensity=0.5", beat the config's
 	std::vector<std::string> Settings;                 // "Setting=Value", beat all volumes and the camera
 	std::vector<std::string> Dump;                     // patterns, beside the config's
 	std::optional<FOutputKinds> Write;                 // what of the outputs is written; beats the config's

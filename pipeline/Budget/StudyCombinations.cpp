@@ -31,7 +31,9 @@ std::vector<T> Combine(const std::vector<FStudyAxis>& Axes, bool bEach)
 				const bool bNamed = Value.Set.size() == 1 && Value.Set[0].Value == Value.Label;
 				// A number alone says nothing.
 				const bool bNumber = bNamed && Value.Label.find_first_not_of("0123456789.-+e") == std::string::npos;
-				const std::string Name = Axis.Name.starts_with("r.") ? Axis.Name.substr(2) : Axis.Name;
+				const size_t Begin =
+					Axis.Name.starts_with("r.") ? 2 : Axis.Name.rfind('/') + 1; // without a place's path
+				const std::string Name = Axis.Name.substr(Begin);
 				Next.Label += (Next.Label.empty() ? "" : ", ") + (bNumber ? Name + " " + Value.Label : Value.Label);
 				Next.Set.insert(Next.Set.end(), Value.Set.begin(), Value.Set.end());
 				Next.Values.push_back(Value.Label);

@@ -3,6 +3,7 @@
 
 #include "Config/ReadConfig.h"
 #include "Budget/BlurNames.h"
+#include "Config/ConfigPlaces.h"
 #include "Config/ConfigReader.h"
 #include "HAL/IConsoleManager.h"
 #include "Math/ToInteger.h"
@@ -85,6 +86,10 @@ public:
 		if (const FJsonValue* Measure = Value.Find("measure"); Measure != nullptr && Measure->Type == EJsonType::String)
 		{
 			Study.Measure = Measure->String;
+		}
+		if (const FJsonValue* Passes = Value.Find("passes"); Passes != nullptr && Passes->Type == EJsonType::String)
+		{
+			Study.Passes = Passes->String;
 		}
 		if (const FJsonValue* Current = Value.Find("current"); Current != nullptr && Current->Type == EJsonType::Object)
 		{
@@ -188,7 +193,7 @@ private:
 				Diagnostics.push_back(Diagnostic);
 			}
 		}
-		else
+		else if (!IsConfigPlace(Assignment.Name)) // places are checked with the plugins that they belong to
 		{
 			CheckVariable({Assignment.Name, Assignment.Value, PlaceOf(At)}, Messages);
 		}
@@ -210,7 +215,8 @@ private:
 				FConsoleObjectVisitor::CreateLambda(
 					[&](const TCHAR* Variable, IConsoleObject*) { Names.emplace_back(Variable); }),
 				TEXT(""));
-			bKnown = Name == "precision" || Name == "storage" || FindSettingField(Name) != nullptr ||
+			bKnown = IsConfigPlace(Name) || Name == "precision" || Name == "storage" ||
+					 FindSettingField(Name) != nullptr ||
 					 IConsoleManager::Get().FindConsoleVariable(Name.c_str()) != nullptr;
 		}
 		if (!bKnown)
@@ -218,7 +224,8 @@ private:
 			Messages.Error(ErrorUnknownValue, At,
 				"\"" + Name + "\" is " +
 					(Study.bBlur ? "not an axis of a study of blurs; there are " + JoinText(GBlurNames)
-								 : "not a setting, a console variable, precision or storage") +
+								 : "not a setting, a console variable, precision, storage or a place such as "
+								   "/objects/UMySettings/Intensity") +
 					Messages.Suggest(Name, Names));
 		}
 		return bKnown;

@@ -11,8 +11,8 @@
 namespace Drydock
 {
 
-/** One thing set to one value: a console variable, a setting, precision, storage; of a blur also algorithm, sigma,
- * input, resolution. */
+/** One thing set to one value: a console variable, a setting, a place of the config (IsConfigPlace), precision,
+ * storage; of a blur also algorithm, sigma, input, resolution. */
 struct FStudyAssignment
 {
 	std::string Name;
@@ -70,6 +70,7 @@ struct FStudy
 	std::vector<std::string> Metrics; // the first one is drawn, and decides what dominates what
 	int Repetitions = 7;
 	std::optional<std::array<int, 4>> Region; // MinX, MinY, MaxX, MaxY of the picture
+	std::string Passes = "*";                 // pattern of those whose time, taps and bytes count
 	std::string Measure = "final";            // final, sceneLinear, toonShadow, or a resource
 	std::vector<FStudyAssignment> Current;    // of a blur: the variant that is in use now
 	FStudyBudget Budget;

@@ -1,6 +1,7 @@
 // Turns assignments of a study into options of a run, and hashes what was studied.
 #include "Budget/StudyRequest.h"
 
+#include "Config/ConfigPlaces.h"
 #include "ContentHash.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/Json.h"
@@ -46,6 +47,10 @@ void ApplyToRun(const std::vector<FStudyAssignment>& Set, FRunOptions& Options)
 			Options.Storage = Assignment.Value == "float64"   ? ERunStorage::Float64
 							  : Assignment.Value == "float32" ? ERunStorage::Float32
 															  : ERunStorage::Native;
+		}
+		else if (IsConfigPlace(Assignment.Name))
+		{
+			Options.ConfigPlaces.push_back(Assignment.Name + "=" + Assignment.Value);
 		}
 		else
 		{

@@ -37,7 +37,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"objects", "*", Object, "object", 0, Optional, "Fields of a class by name; the class with or without its U."},
 		{"object", "*", Anything, "", 0, Optional, "A number, text, true or false, an array, or an object of a struct's fields."},
 
-		{"scene", "file", String, "", 0, Required, "Multi-layer EXR, or an RGB image (.exr, .hdr, .png, .jpg, .jpeg, .tga, .bmp), relative to the config; with #### in its name a sequence of frames."},
+		{"scene", "file", String, "", 0, Required, "Multi-layer EXR, or an RGB image, relative to the config; with #### in its name a sequence of frames. Formats: .exr, .hdr, .png, .jpg, .jpeg, .tga, .bmp, .tif, .tiff, .dpx."},
 		{"scene", "frames", String, "", 0, Optional, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
 		{"scene", "fps", Number, "", 0, Optional, "Frames of a sequence in a second; the scene file's by default, else 24."},
 		{"scene", "channels", StringMap, "", 0, Optional, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
@@ -116,6 +116,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"study", "repetitions", Number, "", 0, Optional, "Timed runs per variant; 7 by default."},
 		{"study", "region", NumberArray, "", 4, Optional, "MinX, MinY, MaxX, MaxY: the part of the picture where errors are measured; the whole picture is computed."},
 		{"study", "measure", String, "", 0, Optional, "Measured picture of frames: final (default), sceneLinear, toonShadow (the blurred one, as it would be displayed), or a resource by name or Pass.Resource."},
+		{"study", "passes", String, "", 0, Optional, "Passes of frames whose time, taps and bytes count, by name, with * and ?; all by default."},
 		{"study", "current", Anything, "", 0, Optional, "Variant of a study of blurs that is in use now, {axis: value}; for frames it is the config's own."},
 		{"axis", "name", String, "", 0, Required, "A setting, a console variable, precision or storage; of blurs algorithm, sigma, input, storage, precision or resolution."},
 		{"axis", "values", Anything, "", 0, Required, "The values it takes; {label, set: {name: value}} sets several things at once."},

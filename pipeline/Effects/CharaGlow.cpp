@@ -3,6 +3,7 @@
 #include "Effects/ContentGate.h"
 #include "Effects/REDPlace.h"
 #include "Effects/Switches.h"
+#include "Lens/REDPostProcess.h"
 #include "SceneRendering.h"
 #include "Toon/CharaGlow.h"
 
@@ -21,16 +22,26 @@ FEffectDecision DecideCharaGlow(const FEffect& Effect, const FEffectInputs& Inpu
 	return DecideBySwitches(Effect, Inputs, CharaGlowSwitches, DescribeREDPlace());
 }
 
-FContentQuestions AskCharaGlow(const FGateInputs&, const FEffectDecision&)
+/** As printed the last pass writes alpha 1 in every pixel, so that no content leaves it nothing to do. */
+bool IsPrinted(const FGateInputs& Gate)
+{
+	return FREDPostProcessParameters::FromSettings(Gate.Inputs.Settings).bAsPrinted;
+}
+
+FContentQuestions AskCharaGlow(const FGateInputs& Gate, const FEffectDecision&)
 {
 	FContentQuestions Questions;
-	Questions.bGlowMask = true;
+	Questions.bGlowMask = !IsPrinted(Gate);
 	return Questions;
 }
 
 /** It adds the widened mask less the mask: of nothing, nothing. */
 void GateCharaGlow(const FGateInputs& Gate, FEffectDecision& Glow)
 {
+	if (IsPrinted(Gate))
+	{
+		return;
+	}
 	if (HasNone(Gate.Content.GlowMask))
 	{
 		Skip(Glow, "the character mask is 0 in the whole view");

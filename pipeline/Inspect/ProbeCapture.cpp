@@ -49,7 +49,8 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 				Reads.begin(), Reads.end(), [&Event](const FProbeRead& Known) { return Known.Texture == Event.Name; });
 			if (Read == Reads.end())
 			{
-				Read = Reads.insert(Reads.end(), {Event.Name, 0, {}});
+				Read = Reads.insert(Reads.end(), FProbeRead());
+				Read->Texture = Event.Name;
 			}
 			++Read->NumReads;
 			std::vector<FFootprintTexel> Texels = Event.Texels;
@@ -81,6 +82,42 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 			}
 		}
 	}
+}
+
+void ReadTexel(const FKernelTexture& Texture, const std::array<int32_t, 2>& At, FProbeTexel& Texel)
+{
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
+	const FKernelMip& Mip = Texture.Mips[0];
+	Texel.Format = Info.Name;
+	Texel.NumChannels = Info.NumChannels;
+	Texel.X = At[0];
+	Texel.Y = At[1];
+	const uint8_t* const Address = Mip.Data + int64_t(Texel.Y) * Mip.RowPitch + int64_t(Texel.X) * Info.BytesPerTexel;
+	if (Info.Kind == ETexelKind::Uint)
+	{
+		uint32_t Values[4];
+		DecodeTexel(Texture.Storage, Address, Values);
+		std::copy_n(Values, 4, Texel.Value.begin());
+	}
+	else
+	{
+		DecodeTexel(Texture.Storage, Address, Texel.Value.data());
+	}
+}
+
+/** A volume has no pixel. */
+bool HasPixels(const FKernelTexture& Texture)
+{
+	return Texture.NumMips > 0 && Texture.Mips[0].SizeZ <= 1;
+}
+
+/** The texture that the shader calls so, or null. */
+const FKernelTexture* FindTexture(
+	const std::string& Name, const std::vector<FShaderResource>& Resources, const std::vector<FKernelTexture>& Textures)
+{
+	const auto Found = std::find_if(
+		Resources.begin(), Resources.end(), [&Name](const FShaderResource& Resource) { return Resource.Name == Name; });
+	return Found == Resources.end() ? nullptr : &Textures[size_t(Found - Resources.begin())];
 }
 
 } // namespace
@@ -130,6 +167,22 @@ void FProbeCapture::AddReads(
 	{
 		throw FError({ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "pass " + Pass.Pass}, ExitUsage);
 	}
+	for (FProbeRead& Read : Pass.Reads)
+	{
+		AddTexel(Shader, Read);
+	}
+}
+
+void FProbeCapture::AddTexel(const FBoundShader& Shader, FProbeRead& Read) const
+{
+	const FShaderReflection& Reflection = Shader.GetReflection();
+	const FKernelTexture* Texture = FindTexture(Read.Texture, Reflection.Textures, Shader.Textures);
+	Texture = Texture ? Texture : FindTexture(Read.Texture, Reflection.RWTextures, Shader.RWTextures);
+	if (Texture && HasPixels(*Texture))
+	{
+		Read.Size = {Texture->Mips[0].SizeX, Texture->Mips[0].SizeY};
+		ReadTexel(*Texture, Map(Request.X, Request.Y, Read.Size[0], Read.Size[1]), Read.AtPixel.emplace());
+	}
 }
 
 void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
@@ -145,10 +198,9 @@ void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 
 void FProbeCapture::AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const
 {
-	const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
-	if (Texture.NumMips < 1 || Texture.Mips[0].SizeZ > 1)
+	if (!HasPixels(Texture))
 	{
-		return; // a volume has no pixel
+		return;
 	}
 	const FKernelMip& Mip = Texture.Mips[0];
 	std::set<std::array<int32_t, 2>> Seen; // y, x: a smaller picture has one texel for several pixels
@@ -164,22 +216,7 @@ void FProbeCapture::AddWrites(const std::string& Name, const FKernelTexture& Tex
 	{
 		FProbeWrite& Write = Pass.Writes.emplace_back();
 		Write.Target = Name;
-		Write.Format = Info.Name;
-		Write.NumChannels = Info.NumChannels;
-		Write.X = At[1];
-		Write.Y = At[0];
-		const uint8_t* const Address =
-			Mip.Data + int64_t(Write.Y) * Mip.RowPitch + int64_t(Write.X) * Info.BytesPerTexel;
-		if (Info.Kind == ETexelKind::Uint)
-		{
-			uint32_t Values[4];
-			DecodeTexel(Texture.Storage, Address, Values);
-			std::copy_n(Values, 4, Write.Value.begin());
-		}
-		else
-		{
-			DecodeTexel(Texture.Storage, Address, Write.Value.data());
-		}
+		ReadTexel(Texture, {At[1], At[0]}, Write);
 	}
 }
 

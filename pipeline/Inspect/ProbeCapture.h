@@ -23,23 +23,29 @@ struct FProbeRequest
 	std::array<int32_t, 2> Frame = {}; // size of what X and Y count in; 0: each pass's own
 };
 
-/** One texture that a pass read for the pixel, and what it read. */
-struct FProbeRead
+struct FProbeTexel
 {
-	std::string Texture;                 // as the shader calls it
-	uint64_t NumReads = 0;               // samples and loads
-	std::vector<FFootprintTexel> Texels; // with the weights of all samples together, of loads 1 each
-};
-
-/** A texel after the pass. */
-struct FProbeWrite
-{
-	std::string Target; // "SV_Target0", or as the shader calls it
 	std::string Format; // of its storage, "RGBA16_FLOAT"
 	int32_t X = 0;
 	int32_t Y = 0;
 	int NumChannels = 4;
 	std::array<double, 4> Value{}; // exactly as stored
+};
+
+/** One texture that a pass read for the pixel, and what it read. */
+struct FProbeRead
+{
+	std::string Texture;                 // as the shader calls it
+	std::array<int32_t, 2> Size = {};    // of its largest mip
+	std::optional<FProbeTexel> AtPixel;  // that covers the pixel's centre, before the pass; none of a volume
+	uint64_t NumReads = 0;               // samples and loads
+	std::vector<FFootprintTexel> Texels; // with the weights of all samples together, of loads 1 each
+};
+
+/** A texel after the pass. */
+struct FProbeWrite : FProbeTexel
+{
+	std::string Target; // "SV_Target0", or as the shader calls it
 };
 
 struct FProbePass
@@ -66,6 +72,7 @@ private:
 	/** Maps the request's pixel to a picture of another size: to the texel that covers its centre. */
 	std::array<int32_t, 2> Map(int32_t X, int32_t Y, int32_t SizeX, int32_t SizeY) const;
 	void AddReads(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass);
+	void AddTexel(const FBoundShader& Shader, FProbeRead& Read) const;
 	void AddWrites(const std::string& Name, const FKernelTexture& Texture, FProbePass& Pass) const;
 
 	const FProbeRequest Request;

@@ -25,12 +25,21 @@ std::string FormatValue(const std::array<double, 4>& Value, int NumChannels)
 	return NumChannels > 1 ? "(" + Text + ")" : Text;
 }
 
-std::string FormatReads(const FProbeRead& Read)
+std::string FormatTexel(const std::string& Name, const FProbeTexel& Texel, const std::string& Size)
+{
+	return fmt::format("{} {},{}{} = {} ({})", Name, Texel.X, Texel.Y, Size,
+		FormatValue(Texel.Value, Texel.NumChannels), Texel.Format);
+}
+
+/** The texel at the pixel, then those that the shader read. */
+std::string FormatReads(const FProbeRead& Read, const FProbeRequest& Request)
 {
 	std::vector<FFootprintTexel> Texels = Read.Texels;
 	std::stable_sort(Texels.begin(), Texels.end(),
 		[](const FFootprintTexel& A, const FFootprintTexel& B) { return A.Weight > B.Weight; });
-	std::string Text;
+	const std::string Size =
+		Read.Size == Request.Frame ? std::string() : fmt::format(" of {} x {}", Read.Size[0], Read.Size[1]);
+	std::string Text = (Read.AtPixel ? FormatTexel(Read.Texture, *Read.AtPixel, Size) : Read.Texture) + ": ";
 	for (size_t i = 0; i < Texels.size() && i < MaxProbedTexels; ++i)
 	{
 		const FFootprintTexel& Texel = Texels[i];
@@ -44,8 +53,20 @@ std::string FormatReads(const FProbeRead& Read)
 
 std::string FormatWrite(const FProbeWrite& Write)
 {
-	return fmt::format("{} {},{} = {} ({})", Write.Target, Write.X, Write.Y,
-		FormatValue(Write.Value, Write.NumChannels), Write.Format);
+	return FormatTexel(Write.Target, Write, "");
+}
+
+void WriteTexel(FJsonWriter& Writer, const FProbeTexel& Texel)
+{
+	Writer.Member("format", Texel.Format);
+	Writer.Member("x", Texel.X);
+	Writer.Member("y", Texel.Y);
+	Writer.Key("value").BeginArray(true);
+	for (int c = 0; c < Texel.NumChannels; ++c)
+	{
+		Writer.Value(Texel.Value[size_t(c)]);
+	}
+	Writer.EndArray();
 }
 
 void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
@@ -59,6 +80,14 @@ void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 	{
 		Writer.BeginObject();
 		Writer.Member("texture", Read.Texture);
+		if (Read.AtPixel)
+		{
+			Writer.Key("atPixel").BeginObject(true);
+			Writer.Member("width", Read.Size[0]);
+			Writer.Member("height", Read.Size[1]);
+			WriteTexel(Writer, *Read.AtPixel);
+			Writer.EndObject();
+		}
 		Writer.Member("reads", Read.NumReads);
 		Writer.Key("texels").BeginArray();
 		for (const FFootprintTexel& Texel : Read.Texels)
@@ -86,15 +115,7 @@ void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 	{
 		Writer.BeginObject(true);
 		Writer.Member("target", Write.Target);
-		Writer.Member("format", Write.Format);
-		Writer.Member("x", Write.X);
-		Writer.Member("y", Write.Y);
-		Writer.Key("value").BeginArray(true);
-		for (int c = 0; c < Write.NumChannels; ++c)
-		{
-			Writer.Value(Write.Value[size_t(c)]);
-		}
-		Writer.EndArray();
+		WriteTexel(Writer, Write);
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -114,6 +135,7 @@ std::string MakeProbeText(
 	Text +=
 		Request.Width * Request.Height > 1 ? fmt::format(", {} x {}", Request.Width, Request.Height) : std::string();
 	Text += Request.Frame[0] ? fmt::format(" of {} x {}\n", Request.Frame[0], Request.Frame[1]) : std::string("\n");
+	Text += "A texture of another size has the texel that covers the pixel's centre.\n";
 	for (size_t Index = 0; Index < Passes.size(); ++Index)
 	{
 		const FProbePass& Pass = Passes[Index];
@@ -121,7 +143,7 @@ std::string MakeProbeText(
 		Text += Pass.bDrawn ? "" : "   does not draw here\n";
 		for (const FProbeRead& Read : Pass.Reads)
 		{
-			Text += fmt::format("   reads {}: {}\n", Read.Texture, FormatReads(Read));
+			Text += fmt::format("   reads {}\n", FormatReads(Read, Request));
 		}
 		for (size_t Write = 0; Write < Pass.Writes.size(); ++Write)
 		{

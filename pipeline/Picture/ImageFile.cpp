@@ -1,5 +1,6 @@
 // Chooses the reader of an image file and looks at its header first; writes pictures row by row. Source of the sRGB
-// curve: IEC 61966-2-1.
+// curve: IEC 61966-2-1, and of the film curve: Kodak, "Conversion of 10-bit Log Film Data to 8-bit Linear or Video Data
+// for the Cineon Digital Film System", 1995.
 #include "Picture/ImageFile.h"
 
 #include "DiagnosticList.h"
@@ -31,6 +32,16 @@ namespace
 float DecodeSrgbFloat(float Encoded)
 {
 	return Encoded <= 0.04045f ? Encoded / 12.92f : static_cast<float>(std::pow((Encoded + 0.055) / 1.055, 2.4));
+}
+
+/** Code 685 of 1023 is white, 1, and code 95 is black; a code is 0.002 of density, and film has a gamma of 0.6. */
+float DecodeFilmLog(float Encoded)
+{
+	const auto Expose = [](double Code)
+	{
+		return std::pow(10.0, (Code - 685.0) * 0.002 / 0.6);
+	};
+	return static_cast<float>((Expose(static_cast<double>(Encoded) * 1023.0) - Expose(95.0)) / (1.0 - Expose(95.0)));
 }
 
 bool IsColorChannel(const std::string& Name)
@@ -220,13 +231,14 @@ std::vector<FImagePlane> FImageFile::ReadPlanes(const std::vector<int>& ChannelI
 			LayInto(Plane.Floats, Part, Width, Height);
 		}
 	}
-	for (size_t Index = 0; IsEncoded() && Index < Planes.size(); ++Index)
+	for (size_t Index = 0; (IsEncoded() || Part.bFilmLog) && Index < Planes.size(); ++Index)
 	{
 		if (IsColorChannel(GetChannels()[static_cast<size_t>(ChannelIndices[Index])]))
 		{
 			FImagePlane& Plane = Planes[Index];
 			Plane.MakeFloats();
-			std::transform(Plane.Floats.begin(), Plane.Floats.end(), Plane.Floats.begin(), DecodeSrgbFloat);
+			std::transform(Plane.Floats.begin(), Plane.Floats.end(), Plane.Floats.begin(),
+				Part.bFilmLog ? DecodeFilmLog : DecodeSrgbFloat);
 		}
 	}
 	return Planes;

@@ -1,5 +1,6 @@
 // Reads from each format's header how many pixels it claims. Sources: the PNG specification (W3C), ITU T.81 (JPEG),
-// "Truevision TGA File Format Specification 2.0", Greg Ward's "Real Pixels" (Radiance), Microsoft's BITMAPINFOHEADER.
+// "Truevision TGA File Format Specification 2.0", Greg Ward's "Real Pixels" (Radiance), Microsoft's BITMAPINFOHEADER,
+// TIFF 6.0 (Adobe), SMPTE 268M (DPX).
 #include "Picture/ImageFormat.h"
 
 #include "Picture/ExrHeader.h"
@@ -172,6 +173,77 @@ FImageClaim ReadBmpClaim(FHeaderBytes& Bytes)
 	return Claim;
 }
 
+uint32_t ReadNumber(FHeaderBytes& Bytes, bool bBigEndian, int NumBytes)
+{
+	return bBigEndian ? Bytes.ReadBigEndian(NumBytes) : NumBytes == 2 ? Bytes.Read<uint16_t>() : Bytes.Read<uint32_t>();
+}
+
+/** The first directory. The longest string of LZW, 3838 bytes, takes a code of 12 bits. */
+FImageClaim ReadTiffClaim(FHeaderBytes& Bytes)
+{
+	constexpr int64_t LzwRatio = 2560;
+	constexpr uint32_t Short = 3;
+	const bool bBigEndian = Bytes.Peek(1) == "M";
+	const auto Read = [&](int NumBytes)
+	{
+		return ReadNumber(Bytes, bBigEndian, NumBytes);
+	};
+	FImageClaim Claim;
+	int64_t Depth = 1, NumSamples = 1;
+	Bytes.SkipTo(4);
+	Bytes.SkipTo(Read(4));
+	for (uint32_t NumLeft = Read(2); NumLeft > 0; --NumLeft)
+	{
+		const int64_t Begin = Bytes.GetPosition();
+		const uint32_t Tag = Read(2), Type = Read(2), Count = Read(4);
+		if (Tag == 258 && Count > 2) // the samples' depths lie elsewhere; they are alike
+		{
+			Bytes.SkipTo(Read(4));
+		}
+		const uint32_t Value = Read(Type == Short ? 2 : 4);
+		switch (Tag)
+		{
+		case 256:
+			Claim.Width = Value;
+			break;
+		case 257:
+			Claim.Height = Value;
+			break;
+		case 258:
+			Depth = Value;
+			break;
+		case 259:
+			Claim.GreatestRatio = Value == 1 ? 1 : LzwRatio;
+			break;
+		case 277:
+			NumSamples = Value;
+			break;
+		default:
+			break;
+		}
+		Bytes.SkipTo(Begin + 12);
+	}
+	Claim.BitsPerPixel = Depth * NumSamples;
+	return Claim;
+}
+
+/** The first picture. A run has a count of 15 bits at most. */
+FImageClaim ReadDpxClaim(FHeaderBytes& Bytes)
+{
+	const bool bBigEndian = Bytes.Peek(1) == "S";
+	FImageClaim Claim;
+	Bytes.SkipTo(772);
+	Claim.Width = ReadNumber(Bytes, bBigEndian, 4);
+	Claim.Height = ReadNumber(Bytes, bBigEndian, 4);
+	Bytes.SkipTo(800);
+	const uint8_t Descriptor = Bytes.Read<uint8_t>();
+	Bytes.SkipTo(803);
+	Claim.BitsPerPixel = Bytes.Read<uint8_t>() * (Descriptor == 51 ? 4 : Descriptor == 50 ? 3 : 1);
+	Bytes.SkipTo(806);
+	Claim.GreatestRatio = ReadNumber(Bytes, bBigEndian, 2) == 0 ? 1 : 1 << 15;
+	return Claim;
+}
+
 /** Targa has no first bytes of its own: fields that no other format fills so. */
 bool BeginsAsTarga(std::string_view First)
 {
@@ -190,12 +262,14 @@ struct FImageFormat
 	const char* Name;
 	const char* Reader; // OpenImageIO's name
 	std::vector<std::string> Extensions;
-	std::string_view First;                            // bytes of every file; none: BeginsAsTarga
+	std::vector<std::string_view> Firsts;              // bytes of every file, one of these; none: BeginsAsTarga
 	FImageClaim (*ReadClaim)(FHeaderBytes&) = nullptr; // none: CheckExrHeader
 
 	bool Begins(const std::string& Bytes) const
 	{
-		return First.empty() ? BeginsAsTarga(Bytes) : Bytes.compare(0, First.size(), First) == 0;
+		return Firsts.empty() ? BeginsAsTarga(Bytes)
+							  : std::any_of(Firsts.begin(), Firsts.end(),
+									[&](std::string_view First) { return Bytes.starts_with(First); });
 	}
 };
 
@@ -203,12 +277,15 @@ struct FImageFormat
 const std::vector<FImageFormat>& GetFormats()
 {
 	static const std::vector<FImageFormat> Formats = {
-		{"OpenEXR", "openexr", {".exr"}, "\x76\x2F\x31\x01"},
-		{"PNG", "png", {".png"}, "\x89PNG\r\n\x1A\n", ReadPngClaim},
-		{"Radiance HDR", "hdr", {".hdr"}, "#?", ReadRadianceClaim},
-		{"JPEG", "jpeg", {".jpg", ".jpeg"}, "\xFF\xD8\xFF", ReadJpegClaim},
-		{"Targa", "targa", {".tga"}, "", ReadTargaClaim},
-		{"BMP", "bmp", {".bmp"}, "BM", ReadBmpClaim},
+		{"OpenEXR", "openexr", {".exr"}, {"\x76\x2F\x31\x01"}},
+		{"PNG", "png", {".png"}, {"\x89PNG\r\n\x1A\n"}, ReadPngClaim},
+		{"Radiance HDR", "hdr", {".hdr"}, {"#?"}, ReadRadianceClaim},
+		{"JPEG", "jpeg", {".jpg", ".jpeg"}, {"\xFF\xD8\xFF"}, ReadJpegClaim},
+		{"Targa", "targa", {".tga"}, {}, ReadTargaClaim},
+		{"BMP", "bmp", {".bmp"}, {"BM"}, ReadBmpClaim},
+		{"TIFF", "tiff", {".tif", ".tiff"}, {std::string_view("II*\0", 4), std::string_view("MM\0*", 4)},
+			ReadTiffClaim},
+		{"DPX", "dpx", {".dpx"}, {"SDPX", "XPDS"}, ReadDpxClaim},
 	};
 	return Formats;
 }
@@ -266,7 +343,7 @@ std::string CheckImageHeader(const std::string& Path, FHeaderBytes& Bytes)
 	if (!Format->Begins(First))
 	{
 		const auto Real = std::find_if(Formats.begin(), Formats.end(),
-			[&](const FImageFormat& Known) { return !Known.First.empty() && Known.Begins(First); });
+			[&](const FImageFormat& Known) { return !Known.Firsts.empty() && Known.Begins(First); });
 		Bytes.Fail(std::string("cannot be read: by its name it is ") + Format->Name + ", by its first bytes " +
 				   (Real == Formats.end() ? "it is not" : Real->Name));
 	}

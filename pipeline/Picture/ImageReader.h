@@ -37,6 +37,7 @@ struct FImagePart
 	std::map<std::string, std::string> Attributes; // of text
 	std::vector<float> Chromaticities;             // x, y of red, green, blue and white; empty: it does not say
 	bool bEncoded = false;                         // colour is sRGB-encoded
+	bool bFilmLog = false;                         // colour is Kodak's printing density (Cineon), scaled to 0..1
 };
 
 /** A file whose header has been read. Errors of its functions are std::exception with the library's own words. */

@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include <algorithm>
 #include <cstring>
@@ -58,8 +59,25 @@ double GetGreatest(const OIIO::TypeDesc& Type)
 											: 0.0;
 }
 
+/** Colour without a statement is sRGB where it is stored as whole numbers, and linear where it is stored as floats. */
+void SetEncoding(FImagePart& Part, const std::string& ColorSpace)
+{
+	Part.bEncoded = ColorSpace == "sRGB" || (ColorSpace.empty() && Part.Greatest.at(0) > 0.0);
+	Part.bFilmLog = ColorSpace == "KodakLog";
+	if (!Part.bEncoded && !Part.bFilmLog && !ColorSpace.empty() && !OIIO::Strutil::iequals(ColorSpace, "linear"))
+	{
+		throw std::runtime_error("its colour is encoded as " + ColorSpace + "; linear, sRGB and KodakLog are read");
+	}
+}
+
 FImagePart MakePart(const OIIO::ImageSpec& Spec)
 {
+	if (Spec.tile_width > 0)
+	{
+		throw std::runtime_error(
+			"its pixels are stored in tiles, and only rows are read; oiiotool makes rows of them with "
+			"--scanline");
+	}
 	FImagePart Part;
 	Part.Width = Spec.depth > 1 ? 0 : Spec.width; // a volume is not a picture
 	Part.Height = Spec.height;
@@ -76,7 +94,7 @@ FImagePart MakePart(const OIIO::ImageSpec& Spec)
 			Part.Attributes[Value.name().string()] = Value.get_string();
 		}
 	}
-	Part.bEncoded = Spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
+	SetEncoding(Part, Spec.get_string_attribute("oiio:ColorSpace").str());
 	return Part;
 }
 

@@ -318,7 +318,13 @@ FParsedArguments FArgumentParser::Parse(const std::vector<std::string>& Argument
 {
 	try
 	{
-		Program->parse(std::vector<std::string>(Arguments.rbegin(), Arguments.rend())); // CLI11 takes them from the end
+		std::vector<std::string> FromTheEnd(Arguments.rbegin(), Arguments.rend()); // as CLI11 takes them
+		for (std::string& Argument : FromTheEnd)
+		{
+			const bool bPlural = Argument == "--passes" || Argument.starts_with("--passes=");
+			Argument = bPlural ? "--pass" + Argument.substr(sizeof("--passes") - 1) : Argument;
+		}
+		Program->parse(std::move(FromTheEnd));
 		return {EParsed::Called, ExitCode, ""};
 	}
 	catch (const CLI::Success& Success)

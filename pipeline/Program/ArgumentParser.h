@@ -155,7 +155,9 @@ public:
 	FArgumentParser& operator=(const FArgumentParser&) = delete;
 	~FArgumentParser();
 
-	/** Finds the verb, sets its variables and calls it. Arguments: those behind the program's name. Throws what the
+	/** Finds the verb, sets its variables and calls it. Arguments: those behind the program's name. `--passes` is read
+	 * as
+	 * `--pass`. Throws what the
 	 * verb throws, and what functions of its options throw. It may be called once. */
 	FParsedArguments Parse(const std::vector<std::string>& Arguments);
 

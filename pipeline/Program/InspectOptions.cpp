@@ -46,7 +46,7 @@ void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerb
 				  "them (docs/see-inside.md)")
 			  .SetType("X,Y[,Z]")
 			  .Exclude(Check));
-	Group(Verb.Add("--passes", Options.Passes, "Look only at these passes, by name or shader class; with * and ?")
+	Group(Verb.Add("--pass", Options.Passes, "Look only at these passes, by name or shader class; with * and ?")
 			  .SetType("PATTERN"));
 }
 

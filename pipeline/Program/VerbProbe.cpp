@@ -46,7 +46,8 @@ FRunOptions MakeAgainst(const FProbeVerbOptions& Options)
 	return Other;
 }
 
-std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
+/** Sets the request's frame. */
+std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest& Request)
 {
 	FRunOptions Plan = Run;
 	Plan.bExecute = false;
@@ -71,7 +72,7 @@ std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest Request)
 	{
 		throw FError({.Code = ErrorBadArgument,
 						 .Message = "no pass of this run that a shader draws matches '" + Request.Passes + "'",
-						 .Where = "--passes"},
+						 .Where = "--pass"},
 			ExitUsage);
 	}
 	return Capture.GetPasses();
@@ -84,8 +85,9 @@ int Probe(FProbeVerbOptions Options)
 	Options.Request.Width = Options.Region.empty() ? 1 : Options.Region.at(0);
 	Options.Request.Height = Options.Region.empty() ? 1 : Options.Region.at(1);
 	const std::vector<FProbePass> Passes = ProbeRun(Options.Run, Options.Request);
+	FProbeRequest Other = Options.Request; // its frame may be of another size
 	const std::vector<FProbePass> Against =
-		Options.Against.empty() ? std::vector<FProbePass>() : ProbeRun(MakeAgainst(Options), Options.Request);
+		Options.Against.empty() ? std::vector<FProbePass>() : ProbeRun(MakeAgainst(Options), Other);
 	const std::string Text = Options.bJson ? MakeProbeJson(Passes, Against, Options.Request)
 										   : MakeProbeText(Passes, Against, Options.Request);
 	PrintResult(Text, Options.bJson);
@@ -101,7 +103,7 @@ FVerbCall AddProbeOptions(FVerbOptions& Verb)
 	Verb.Add("--region", Options->Region, "Size of a region that begins at X,Y; 1,1 by default")
 		.SplitAtCommas(2)
 		.SetType("W,H");
-	Verb.Add("--passes", Options->Request.Passes, "Print only these passes, by name or shader class; with * and ?")
+	Verb.Add("--pass", Options->Request.Passes, "Print only these passes, by name or shader class; with * and ?")
 		.SetType("PATTERN");
 	Verb.Add("--against", Options->Against,
 			"Run again with another config, setting (BloomIntensity=1) or variable (r.Name=1), and show where the two "

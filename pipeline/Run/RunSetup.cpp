@@ -4,6 +4,7 @@
 #include "Config/ReadConfig.h"
 #include "Budget/BudgetChoice.h"
 #include "CodeScope.h"
+#include "Config/ConfigPlaces.h"
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "ExtensionFactory.h"
@@ -50,6 +51,10 @@ FConfigDocument OpenDocument(const FRunOptions& Options)
 	if (Document.bSyntaxError)
 	{
 		throw FError(Document.Diagnostics, ExitUsage); // what stands behind it was not read
+	}
+	for (const std::string& Place : Options.ConfigPlaces)
+	{
+		SetConfigPlace(Document.Root, Place, Document.File);
 	}
 	return Document;
 }

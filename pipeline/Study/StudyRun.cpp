@@ -2,6 +2,8 @@
 #include "Study/StudyRun.h"
 
 #include "Budget/StudyRequest.h"
+#include "Config/ConfigPlaces.h"
+#include "Config/ReadConfig.h"
 #include "HAL/IConsoleManager.h"
 #include "Math/ToInteger.h"
 #include "PostProcessSettingsReflection.h"
@@ -92,6 +94,7 @@ std::map<std::string, std::string> GetCurrentValues(const FRunOptions& Options, 
 	const FRunSetup Setup(CheckOptions);
 	std::map<std::string, std::string> Values = {
 		{"precision", Options.bDouble ? "double" : "float"}, {"storage", Options.bDouble ? "float64" : "native"}};
+	const FJsonValue Root = ParseConfigDocument(GetConfigText(Options), Options.ConfigFile).Root;
 	for (const FStudyAxis& Axis : Study.Axes)
 	{
 		for (const FStudyValue& Value : Axis.Values)
@@ -102,7 +105,11 @@ std::map<std::string, std::string> GetCurrentValues(const FRunOptions& Options, 
 				const FSettingField* Field = FindSettingField(Assignment.Name);
 				FSettingValue Wanted;
 				std::string Expected;
-				if (Variable != nullptr)
+				if (const std::optional<std::string> Text = FindPlaceText(Root, Assignment.Name))
+				{
+					Values[Assignment.Name] = *Text;
+				}
+				else if (Variable != nullptr)
 				{
 					// In the variable's own words: 1 and true are the same to a bool.
 					Values[Assignment.Name] = *Variable->GetString();
@@ -351,7 +358,30 @@ struct FStudyRun::FState
 			throw MakeStudyError(ErrorMissingKey, Check.Config, {}, "the config has no \"study\"");
 		}
 		Study = std::move(*Read);
+		CheckPlaces(CheckOptions);
 		Subject = Study.bBlur ? MakeBlurSubject(Check.Config) : MakeFrameSubject(Options, Study);
+	}
+
+	/** Throws the mistakes in places of the config before anything runs. */
+	void CheckPlaces(const FRunOptions& CheckOptions) const
+	{
+		const auto CheckSet = [&](const FSet& Set)
+		{
+			FRunOptions Changed = CheckOptions;
+			ApplyToRun(Set, Changed);
+			if (!Changed.ConfigPlaces.empty())
+			{
+				FRunSetup{Changed};
+			}
+		};
+		CheckSet(Study.Reference);
+		for (const FStudyAxis& Axis : Study.Axes)
+		{
+			for (const FStudyValue& Value : Axis.Values)
+			{
+				CheckSet(Value.Set);
+			}
+		}
 	}
 
 	FRunOptions Options;

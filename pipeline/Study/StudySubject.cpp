@@ -195,11 +195,22 @@ public:
 		FMeasured Measured;
 		Measured.Image = Pick(Result, Measured.Encoding);
 		const double NumPixels = static_cast<double>(Result.ViewRect.Width()) * Result.ViewRect.Height();
+		bool bFound = false;
 		for (const FRunPass& Pass : Result.Passes)
 		{
+			if (!IsPassNamed(Study.Passes, Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name))
+			{
+				continue;
+			}
+			bFound = true;
 			Measured.Milliseconds += Pass.Milliseconds;
 			Measured.Taps += Pass.Taps ? static_cast<double>(*Pass.Taps) / NumPixels : std::nan("");
 			Measured.Bytes += static_cast<double>(Pass.Counters.BytesRead + Pass.Counters.BytesWritten) / NumPixels;
+		}
+		if (!bFound)
+		{
+			throw MakeStudyError(ErrorUnknownValue, Result.Config, {0, 0, "/study/passes"},
+				"\"" + Study.Passes + "\" fits no pass of this frame");
 		}
 		return Measured;
 	}

@@ -94,12 +94,14 @@ inline std::string CheckExrBytes(const std::string& Bytes)
 inline std::string CheckPictureBytes(const std::string& Bytes)
 {
 	const unsigned char First = Bytes.empty() ? 0 : static_cast<unsigned char>(Bytes[0]);
-	return CheckImageBytes(First == 0x89   ? "fuzzed.png"
-						   : First == 0x76 ? "fuzzed.exr"
-						   : First == '#'  ? "fuzzed.hdr"
-						   : First == 0xFF ? "fuzzed.jpg"
-						   : First == 'B'  ? "fuzzed.bmp"
-										   : "fuzzed.tga",
+	return CheckImageBytes(First == 0x89                  ? "fuzzed.png"
+						   : First == 0x76                ? "fuzzed.exr"
+						   : First == '#'                 ? "fuzzed.hdr"
+						   : First == 0xFF                ? "fuzzed.jpg"
+						   : First == 'B'                 ? "fuzzed.bmp"
+						   : First == 'I' || First == 'M' ? "fuzzed.tif"
+						   : First == 'S' || First == 'X' ? "fuzzed.dpx"
+														  : "fuzzed.tga",
 		Bytes);
 }
 

@@ -2,8 +2,12 @@
 #include "RenderGraphValidate.h"
 
 #include "RenderGraphFeedback.h"
+#include "TextTools.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace Drydock
 {
@@ -55,6 +59,7 @@ public:
 				bProduced[size_t(Use.Resource)] = bProduced[size_t(Use.Resource)] || Use.IsWrite();
 			}
 		}
+		WarnAboutShaderResources();
 		WarnAboutResources();
 		return std::move(Result);
 	}
@@ -267,10 +272,32 @@ private:
 			if (bSampled && !GetResource(Use).bExternal &&
 				!EnumHasAnyFlags(GetResource(Use).TextureFlags, TexCreate_ShaderResource))
 			{
-				Warn(RDGWarningNotShaderResource, Pass,
-					"the texture is read by a shader but was created without TexCreate_ShaderResource", Use.Parameter,
-					GetResource(Use).Name);
+				NotShaderResources[Pass.Owner].push_back({&Pass, &Use});
 			}
+		}
+	}
+
+	/** One warning for each owner, however many textures lack the flag: a loop that makes them has one mistake. */
+	void WarnAboutShaderResources()
+	{
+		for (const auto& [Owner, Reads] : NotShaderResources)
+		{
+			const auto& [Pass, First] = Reads.front();
+			std::set<int32_t> Others;
+			std::set<std::string> Names;
+			for (const auto& [OtherPass, Use] : Reads)
+			{
+				if (Use->Resource != First->Resource && Others.insert(Use->Resource).second)
+				{
+					Names.insert(GetResource(*Use).Name);
+				}
+			}
+			std::string Message = "the texture is read by a shader but was created without TexCreate_ShaderResource";
+			if (!Others.empty())
+			{
+				Message += "; " + std::to_string(Others.size()) + " more lack it: " + JoinText(Names);
+			}
+			Warn(RDGWarningNotShaderResource, *Pass, Message, First->Parameter, GetResource(*First).Name);
 		}
 	}
 
@@ -382,6 +409,8 @@ private:
 	bool bDebug;
 	bool bStrict;
 	FRDGValidationResult Result;
+	/** By the owners of the passes: reads of textures that were created without TexCreate_ShaderResource. */
+	std::map<std::string, std::vector<std::pair<const FRDGPassDescription*, const FRDGUse*>>> NotShaderResources;
 };
 
 } // namespace

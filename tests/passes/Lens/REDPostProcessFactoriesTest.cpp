@@ -69,3 +69,14 @@ TEST(REDPostProcessFactories, GlowTakesItsIntensity)
 	EXPECT_NEAR(0.625,
 		RunFactory("REDGlow", FImage(2, 2, {0.5, 0.5, 0.5, 1}), {{"Intensity", 0.5}}, "Blurred").At(0, 0)[0], 1e-6);
 }
+
+TEST(REDPostProcessFactories, PrintedLastNodesWriteAlphaOne)
+{
+	// From the article: OutColor = float4(Result, 1.0f) of DiffusionFilter2PS, SoftFocus and Glow.
+	const FImage Image(2, 2, {0.5, 0.5, 0.5, 0.25});
+	for (const char* Pass : {"REDDiffusionFilter2", "REDSoftFocus", "REDGlow"})
+	{
+		EXPECT_EQ(0.25, RunFactory(Pass, Image, {}, "Blurred").At(0, 0)[3]) << Pass;
+		EXPECT_EQ(1.0, RunFactory(Pass, Image, {{"AsPrinted", true}}, "Blurred").At(0, 0)[3]) << Pass;
+	}
+}

@@ -232,7 +232,7 @@ TEST(REDPostProcess, PrintedLastNodeExtractsFromTheBlur)
 	{
 		return std::pow(Screen(Color[Channel], Blurred[Channel] * Mask * 0.75), 1.5);
 	};
-	ExpectNear({Expected(0), Expected(1), Expected(2), 0.5},
+	ExpectNear({Expected(0), Expected(1), Expected(2), 1},
 		Combine(Color, Blurred, EREDPostProcessPass::DiffusionFilter2, Parameters));
 	Parameters.LuminanceThreshold = 2.0f; // above every luma to that power: the picture alone
 	EXPECT_NEAR(
@@ -256,8 +256,15 @@ TEST(REDPostProcess, PrintedChainHeedsLuminancePowAndThreshold)
 
 TEST(REDPostProcess, BothFormsGiveTheSameBitsBetweenZeroAndOne)
 {
-	const FImage Image = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
-	for (const EREDPostProcessPass Pass : {EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::Glow})
+	const FImage Noise = FImage::Noise(16, 8), Blurred = FImage::Noise(8, 4, 1.0, 2);
+	const FImage Image = FImage::Make(16, 8,
+		[&](int X, int Y)
+		{
+			const FTexel Texel = Noise.At(X, Y);
+			return FTexel{Texel[0], Texel[1], Texel[2], 1}; // the printed last node writes alpha 1
+		});
+	for (const EREDPostProcessPass Pass :
+		{EREDPostProcessPass::DiffusionFilter2, EREDPostProcessPass::SoftFocus, EREDPostProcessPass::Glow})
 	{
 		FREDPostProcessParameters Parameters;
 		Parameters.LuminancePow = 0.0f; // the printed last node then extracts all

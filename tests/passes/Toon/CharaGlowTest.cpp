@@ -165,6 +165,19 @@ TEST(CharaGlow, GlowIsWhatTheWidenedMaskHasOutsideTheMask)
 	EXPECT_EQ((FTexel{0.25, 0.5, 1, 0.5}), Result.At(1, 4));
 }
 
+TEST(CharaGlow, PrintedLastPassWritesAlphaOneEverywhere)
+{
+	FGlowRun Run;
+	Run.Inputs.Area = 1.0f;
+	Run.Inputs.bAsPrinted = true;
+	Run.Inputs.MaskBounds = FIntRect(4, 0, 8, 8); // the glow reaches two columns further
+	const FImage Result = Run.Run(MakeMask(8, 8, [](int X, int) { return X >= 4; }));
+	EXPECT_EQ((FTexel{0.25, 0.5, 1, 1}), Result.At(0, 4));
+	EXPECT_NEAR(0.25 + 1.0 / 3, Result.At(3, 4)[0], 1e-6);
+	EXPECT_EQ(1.0, Result.At(3, 4)[3]);
+	EXPECT_EQ(1.0, Result.At(6, 4)[3]);
+}
+
 TEST(CharaGlow, NoAreaBuildsNothing)
 {
 	for (const float Area : {0.0f, -2.0f, std::numeric_limits<float>::quiet_NaN()})

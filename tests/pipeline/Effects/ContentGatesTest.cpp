@@ -210,6 +210,19 @@ TEST(ContentGates, ACornerIsTheRegionAndMostOfTheViewIsNone)
 	EXPECT_FALSE(Decide(Chain, "ToonBloom").Region);
 }
 
+TEST(ContentGates, ThePrintedGlowIsNeverLeftOutBecauseItWritesAlpha)
+{
+	const FScopedConsoleVariable Variable(TEXT("r.RED.AsPrinted"), 1);
+	FGatedView Chain = MakeChain(R"("CharaGlowArea": 2)");
+	EXPECT_FALSE(Ask(Chain).bGlowMask);
+	for (const FIntRect& Mask : {None, Corner})
+	{
+		Chain.Content.GlowMask = Mask;
+		EXPECT_TRUE(Decide(Chain, "CharaGlow").bActive);
+		EXPECT_FALSE(Decide(Chain, "CharaGlow").Region);
+	}
+}
+
 TEST(ContentGates, ComputeEntriesHaveNoRegion)
 {
 	const FScopedConsoleVariable Variable(TEXT("r.PostProcessing.PreferCompute"), 1);

@@ -232,7 +232,7 @@ TEST_F(DebuggedRun, GdbStopsAtALineAndShowsTheAuthorsVariables)
 										"call DrydockDebugPixel(2, 1)\ncontinue\n"
 										"step\nprint Strength\n"
 										"kill\n",
-		"--debug-shaders 4,3 --passes PlantedFaults");
+		"--debug-shaders 4,3 --pass PlantedFaults");
 	if (Printed.empty())
 	{
 		GTEST_SKIP() << "there is no gdb";
@@ -258,7 +258,7 @@ TEST_F(DebuggedRun, TheVariablesCanBeSet)
 	const std::string Printed = CallGdb("break PlantedFaults.usf:17\nrun\n"
 										"set var Weight = 6\nfinish\n"
 										"kill\n",
-		"--debug-shaders 4,3 --passes PlantedFaults");
+		"--debug-shaders 4,3 --pass PlantedFaults");
 	if (Printed.empty())
 	{
 		GTEST_SKIP() << "there is no gdb";
@@ -285,7 +285,7 @@ TEST_F(DebuggedRun, WhatIsNotThereIsSaid)
 	const FOutcome Word = Folder.Call(Run("--debug-shaders 4,x"));
 	EXPECT_EQ(2, Word.ExitCode);
 	EXPECT_THAT(Word.Printed, HasSubstr("'4,x' is not a pixel"));
-	const FOutcome Pass = Folder.Call(Run("--debug-shaders 4,3 --passes Tonemop"));
+	const FOutcome Pass = Folder.Call(Run("--debug-shaders 4,3 --pass Tonemop"));
 	EXPECT_EQ(2, Pass.ExitCode);
 	EXPECT_THAT(Pass.Printed, HasSubstr("no pass of this run draws that pixel with a shader that matches 'Tonemop'"));
 	EXPECT_THAT(Pass.Printed, HasSubstr("PlantedFaults"));

@@ -111,7 +111,7 @@ TEST_F(InspectRun, CoverageNamesLinesThatNeverRan)
 
 TEST_F(InspectRun, CostCountsTaps)
 {
-	const FOutcome Outcome = Run(1, "--cost --passes FPlantedFaultsPS");
+	const FOutcome Outcome = Run(1, "--cost --pass FPlantedFaultsPS");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
 	Drydock::FImageFile Cost((Folder.Path / "out/inspect/01.PlantedFaults.cost.exr").string());
 	const int Taps = Cost.FindChannel("taps");
@@ -130,7 +130,7 @@ TEST_F(InspectRun, PrintsWhatShadersSay)
 	const FOutcome Engines = Run(11, "--print");
 	EXPECT_THAT(Engines.Printed, HasSubstr("PlantedOverlap (1, 1) PlantedOverlap.usf:16: Size (6, 5) \n"));
 	EXPECT_THAT(Engines.Printed, Not(HasSubstr("PlantedOverlap (0, 0)")));
-	const FOutcome None = Run(9, "--print --passes Tonemap*");
+	const FOutcome None = Run(9, "--print --pass Tonemap*");
 	EXPECT_THAT(None.Printed, HasSubstr("DD4012"));
 }
 

@@ -73,7 +73,7 @@ std::vector<std::string> Expect(int Line, const std::string& Text)
 
 TEST_F(PlantedFaults, NoneIsClean)
 {
-	EXPECT_EQ(std::vector<std::string>{}, Check(0, "all --passes PlantedFaults"));
+	EXPECT_EQ(std::vector<std::string>{}, Check(0, "all --pass PlantedFaults"));
 }
 
 TEST_F(PlantedFaults, ADivisionByNothingBehindALoop)
@@ -154,9 +154,31 @@ TEST_F(PlantedFaults, SwappedChannelsAreWhereTwoRunsPart)
 	const FOutcome Outcome = Folder.Call("probe " + Common(8) + "2,3 --against r.PlantedFaults=0");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
 	EXPECT_THAT(Outcome.Printed, HasSubstr("\nPlantedFaults  (FPlantedFaultsPS)\n"
-										   "   reads Source: 2,3\n"
+										   "   reads Source 2,3 = (0.25, 0.5, 0.75, 1) (RGBA16_FLOAT): 2,3\n"
 										   "   SV_Target0 2,3 = (0.75, 0.5, 0.25, 1) (RGBA16_FLOAT)\n"
 										   "   < here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)"));
+}
+
+TEST_F(PlantedFaults, TheProbeShowsTheTexelAtThePixelInATextureOfAnotherSize)
+{
+	Drydock::FImage Scene{8, 4, 3, std::vector<double>(8 * 4 * 3)};
+	for (size_t i = 0; i < Scene.Values.size(); ++i)
+	{
+		const size_t X = i / 3 % 8, Y = i / 24;
+		Scene.Values[i] = static_cast<double>(X / 2 + 4 * (Y / 2)); // alike in each square of 2 x 2
+	}
+	Drydock::WriteExr((Folder.Path / "scene.exr").string(), Scene, {"R", "G", "B"});
+	Folder.Write("half.json", R"({"scene": {"file": "scene.exr"}, "camera": {"Settings": {"BloomIntensity": 0,
+		"UnityBloomIntensity": 1, "UnityBloomThreshold": 0, "UnityBloomIterations": 1, "UnityBloomDownSample": 2}}})");
+	const FOutcome Outcome = Folder.Call("probe half.json 5,2 --pass 'UnityBloom*'");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(Outcome.Printed, HasSubstr("pixel 5,2 of 8 x 4\n"));
+	// 5 of 8 columns is 2 of 4, and 2 of 4 rows is 1 of 2: the square of the value 2 + 4.
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Texture 5,2 = (6, 6, 6, 1) (RGBA16_FLOAT): "));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Texture 2,1 of 4 x 2 = (6, 6, 6, "));
+	const FOutcome Json = Folder.Call("probe half.json 5,2 --json --pass 'UnityBloom*'");
+	EXPECT_THAT(
+		Json.Printed, HasSubstr(R"("atPixel": {"width": 4, "height": 2, "format": "RGBA16_FLOAT", "x": 2, "y": 1)"));
 }
 
 TEST_F(PlantedFaults, ThePageQuotesTheProbe)

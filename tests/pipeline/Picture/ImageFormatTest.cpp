@@ -8,6 +8,7 @@
 #include "Picture/ImageFormat.h"
 #include "Text/ConfigErrors.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -156,6 +157,28 @@ std::string MakeRadiance(uint32_t Width, uint32_t Height)
 	return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(Height) + " +X " + std::to_string(Width) + "\n";
 }
 
+/** A directory of five entries: RGBA of 16 bits. */
+std::string MakeTiff(uint32_t Width, uint32_t Height, uint32_t Compression)
+{
+	std::string Bytes = "II*" + std::string(1, '\0') + LittleEndian(8, 4) + LittleEndian(5, 2);
+	for (const auto& [Tag, Value] : std::vector<std::pair<uint32_t, uint32_t>>{
+			 {256, Width}, {257, Height}, {258, 16}, {259, Compression}, {277, 4}})
+	{
+		Bytes += LittleEndian(Tag, 2) + LittleEndian(4, 2) + LittleEndian(1, 4) + LittleEndian(Value, 4);
+	}
+	return Bytes + std::string(4, '\0');
+}
+
+/** RGB of 10 bits, most significant byte first. */
+std::string MakeDpx(uint32_t Width, uint32_t Height, uint32_t Encoding)
+{
+	std::string Bytes = "SDPX" + std::string(2044, '\0');
+	Bytes.replace(772, 8, BigEndian(Width, 4) + BigEndian(Height, 4));
+	Bytes[800] = 50;
+	Bytes[803] = 10;
+	return Bytes.replace(806, 2, BigEndian(Encoding, 2));
+}
+
 /** Most memory that this process has held; 0 where the system does not say. */
 int64_t GetPeakKilobytes()
 {
@@ -182,6 +205,10 @@ TEST_F(ImageFormat, AHeaderThatTheFileCannotHoldIsRefusedBeforeMemoryIsTaken)
 		{"b.bmp", MakeBmp(16384, 16384, 0) + std::string(1'000'000, '\xFF')},
 		{"a.jpg", MakeJpeg(16384, 16384) + std::string(1000, '\x7F')},
 		{"a.hdr", MakeRadiance(16384, 16384) + std::string(1000, '\2')},
+		{"a.tif", MakeTiff(16384, 16384, 1)},
+		{"b.tif", MakeTiff(16384, 16384, 5)},
+		{"a.dpx", MakeDpx(16384, 16384, 0)},
+		{"b.dpx", MakeDpx(16384, 16384, 1)},
 	};
 	std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
 	const int64_t Before = GetPeakKilobytes();
@@ -214,11 +241,11 @@ TEST_F(ImageFormat, AChunkLongerThanTheFileIsRefusedBeforeMemoryIsTaken)
 
 TEST_F(ImageFormat, LargerThanAnyFrameIsRefusedWhateverTheFileHolds)
 {
-	for (const auto& [Name, Bytes] :
-		std::vector<std::pair<std::string, std::string>>{{"a.png", MakePng(32769, 1, 1000)},
-			{"b.png", MakePng(20000, 20000, 1000)}, {"c.png", MakePng(0xFFFFFFFF, 0xFFFFFFFF, 1000)},
-			{"a.tga", MakeTarga(20000, 20000, 2)}, {"a.bmp", MakeBmp(1, 0x80000000, 0)},
-			{"a.jpg", MakeJpeg(65535, 65535)}, {"a.hdr", MakeRadiance(40000, 1)}})
+	for (const auto& [Name, Bytes] : std::vector<std::pair<std::string, std::string>>{
+			 {"a.png", MakePng(32769, 1, 1000)}, {"b.png", MakePng(20000, 20000, 1000)},
+			 {"c.png", MakePng(0xFFFFFFFF, 0xFFFFFFFF, 1000)}, {"a.tga", MakeTarga(20000, 20000, 2)},
+			 {"a.bmp", MakeBmp(1, 0x80000000, 0)}, {"a.jpg", MakeJpeg(65535, 65535)}, {"a.hdr", MakeRadiance(40000, 1)},
+			 {"a.tif", MakeTiff(20000, 20000, 5)}, {"a.dpx", MakeDpx(40000, 1, 0)}})
 	{
 		EXPECT_TRUE(Begins(ErrorOf(Write(Name, Bytes)), "DD5005 ")) << Name << ": " << ErrorOf(Write(Name, Bytes));
 	}
@@ -227,8 +254,8 @@ TEST_F(ImageFormat, LargerThanAnyFrameIsRefusedWhateverTheFileHolds)
 
 TEST_F(ImageFormat, OtherFormatsAreNotOpened)
 {
-	const std::string List = ".exr, .png, .hdr, .jpg, .jpeg, .tga, .bmp";
-	for (const char* Name : {"a.tif", "a.gif", "a.psd", "a.dds", "a.ico", "a.pnm", "a.txt", "a", "a.exr.bak"})
+	const std::string List = ".exr, .png, .hdr, .jpg, .jpeg, .tga, .bmp, .tif, .tiff, .dpx";
+	for (const char* Name : {"a.gif", "a.psd", "a.dds", "a.ico", "a.pnm", "a.txt", "a", "a.exr.bak"})
 	{
 		EXPECT_EQ("DD5002 the image file is of a format that is not read: the end of its name is none of " + List,
 			ErrorOf(Write(Name, MakeExr(1, 1))))
@@ -266,7 +293,7 @@ TEST_F(ImageFormat, EveryFormatThatIsListedIsRead)
 		EXPECT_EQ(2, FImageFile(Path).GetWidth()) << Extension;
 	}
 	EXPECT_TRUE(IsImagePath("A.EXR"));
-	EXPECT_FALSE(IsImagePath("a.tif"));
+	EXPECT_FALSE(IsImagePath("a.gif"));
 }
 
 /** Rows are read in bands; a picture of more than one gives what it was written with. */
@@ -299,4 +326,52 @@ TEST_F(ImageFormat, BytesInMemoryAreReadAsAFileIs)
 		EXPECT_EQ(2, FImageFile(Path).GetWidth());
 	}
 	EXPECT_TRUE(Begins(ErrorOf("memory.exr"), "DD5001 "));
+}
+
+TEST_F(ImageFormat, ColourIsDecodedAsTheFileStates)
+{
+	struct FCase
+	{
+		const char* Name;
+		OIIO::TypeDesc Type;
+		const char* ColorSpace;
+		double Expected; // of a stored half
+	};
+	const double Film = (std::pow(10.0, (511.5 - 685.0) / 300.0) - std::pow(10.0, -590.0 / 300.0)) /
+						(1.0 - std::pow(10.0, -590.0 / 300.0)); // Kodak's curve: 95 is black and 685 is white
+	for (const FCase& Case : std::vector<FCase>{
+			 {"byte.tif", OIIO::TypeDesc::UINT8, "", 0.214},
+			 {"float.tif", OIIO::TypeDesc::FLOAT, "", 0.5},
+			 {"linear.dpx", OIIO::TypeDesc::UINT16, "Linear", 0.5},
+			 {"film.dpx", OIIO::TypeDesc::UINT16, "KodakLog", Film},
+		 })
+	{
+		const std::string Path = (Folder / Case.Name).string();
+		OIIO::ImageSpec Spec(2, 1, 3, Case.Type);
+		Spec.attribute("oiio:ColorSpace", Case.ColorSpace);
+		const std::vector<float> Pixels(6, 0.5f);
+		const std::unique_ptr<OIIO::ImageOutput> Output = OIIO::ImageOutput::create(Path);
+		ASSERT_TRUE(Output && Output->open(Path, Spec)) << Case.Name;
+		ASSERT_TRUE(Output->write_image(OIIO::TypeDesc::FLOAT, Pixels.data()) && Output->close()) << Case.Name;
+		EXPECT_NEAR(Case.Expected, FImageFile(Path).Read({0}).at(0).at(0), 0.002) << Case.Name;
+	}
+	OIIO::ImageSpec Tiled(16, 16, 3, OIIO::TypeDesc::FLOAT);
+	Tiled.tile_width = Tiled.tile_height = 16;
+	const std::string TiledPath = (Folder / "tiled.tif").string();
+	const std::unique_ptr<OIIO::ImageOutput> Tiles = OIIO::ImageOutput::create(TiledPath);
+	ASSERT_TRUE(Tiles->open(TiledPath, Tiled) &&
+				Tiles->write_image(OIIO::TypeDesc::FLOAT, std::vector<float>(16 * 16 * 3).data()) && Tiles->close());
+	EXPECT_EQ(
+		"DD5002 the image file cannot be read: its pixels are stored in tiles, and only rows are read; oiiotool makes "
+		"rows of them with --scanline",
+		ErrorOf(TiledPath));
+	OIIO::ImageSpec Video(2, 1, 3, OIIO::TypeDesc::UINT16);
+	Video.attribute("oiio:ColorSpace", "Rec709");
+	const std::string Path = (Folder / "video.dpx").string();
+	const std::unique_ptr<OIIO::ImageOutput> Output = OIIO::ImageOutput::create(Path);
+	ASSERT_TRUE(Output->open(Path, Video) && Output->write_image(OIIO::TypeDesc::FLOAT, std::vector<float>(6).data()) &&
+				Output->close());
+	EXPECT_EQ(
+		"DD5002 the image file cannot be read: its colour is encoded as Rec709; linear, sRGB and KodakLog are read",
+		ErrorOf(Path));
 }

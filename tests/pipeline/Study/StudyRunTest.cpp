@@ -135,8 +135,9 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 		"1007 /study/axes/0/values/0: there is no algorithm \"DualKawaze\": Exact, Direct, Separable, GaussianSum, "
 		"Kawase, DualKawase, Pyramid, FFT; did you mean DualKawase?",
 		ErrorOf(R"("study": {"axes": [{"name": "algorithm", "values": ["DualKawaze"]}]})"));
-	EXPECT_EQ("1007 /study/axes/0/name: \"r.BloomQualty\" is not a setting, a console variable, precision or storage; "
-			  "did you mean r.BloomQuality?",
+	EXPECT_EQ(
+		"1007 /study/axes/0/name: \"r.BloomQualty\" is not a setting, a console variable, precision, storage or a "
+		"place such as /objects/UMySettings/Intensity; did you mean r.BloomQuality?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQualty", "values": [1]}]})"));
 	EXPECT_EQ("1007 /study/metrics/0: there is no metric \"rsm\": max, rms, relative, psnr, ssim; did you mean rms?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQuality", "values": [1]}], "metrics": ["rsm"]})"));

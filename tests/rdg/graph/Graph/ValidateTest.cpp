@@ -298,6 +298,26 @@ TEST(Validate, SamplingATextureThatIsOnlyAUAVIsAWarning)
 	EXPECT_EQ("2050", Warnings(Graph));
 }
 
+TEST(Validate, TexturesThatLackOneFlagAreOneWarningOfEachOwner)
+{
+	FDescribedGraph Graph;
+	Graph.Pass("A", {Write("X"), Write("Y"), Write("Z")});
+	Graph.Pass("B", {Read("X"), Read("Y"), Write("V")});
+	Graph.Pass("C", {Read("X"), Read("Z"), Write("W")});
+	Graph.Pass("D", {Read("Z")}).Owner = "Other";
+	for (const char* Name : {"X", "Y", "Z"})
+	{
+		Graph.Resource(Name).TextureFlags = TexCreate_UAV;
+	}
+	const std::vector<FDiagnostic> Found = ValidateGraph(Graph.Get(), false).Warnings;
+	ASSERT_EQ("2050 2050", GetCodes(Found));
+	EXPECT_EQ("pass B, parameter XParameter, resource X", Found[0].Where);
+	EXPECT_EQ("the texture is read by a shader but was created without TexCreate_ShaderResource; 2 more lack it: Y, Z",
+		Found[0].Message);
+	EXPECT_EQ("Other, pass D, parameter ZParameter, resource Z", Found[1].Where);
+	EXPECT_EQ("the texture is read by a shader but was created without TexCreate_ShaderResource", Found[1].Message);
+}
+
 TEST(Validate, AnUnusedOutputIsAWarningOfDebuggingOnly)
 {
 	FDescribedGraph Graph;
