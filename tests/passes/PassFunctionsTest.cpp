@@ -97,7 +97,7 @@ TEST(PassFunctions, TheTableHasEveryPassOfTheEnginesName)
 
 TEST(PassFunctions, AReplacementIsCalledWhileItIsActive)
 {
-	FPassRun Run(Grey(1.0, 4, 4), EArithmetic::Native);
+	FPassRun Run(FImage(4, 4, {1, 1, 1, 1}), EArithmetic::Native);
 	FDownsamplePassInputs Inputs;
 	Inputs.Name = TEXT("Half");
 	Inputs.SceneColor = Run.Input;
