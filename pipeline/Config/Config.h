@@ -158,7 +158,7 @@ struct FConfig
 	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
 	std::vector<FConfigOverlay> Overlays;
-	FJsonValue Objects;                             // as it stands, null where there is none: see FObjectValues
+	FJsonValue Objects; // as it stands, null where there is none: see FObjectValues
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given
 	std::vector<FConfigView> Views;                 // empty: View alone
