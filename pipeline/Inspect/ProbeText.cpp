@@ -51,53 +51,26 @@ std::string FormatWrite(const FProbeWrite& Write)
 void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 {
 	Writer.BeginObject();
-	Writer.Member("pass", Pass.Pass);
-	Writer.Member("shader", Pass.Shader);
-	Writer.Member("drawn", Pass.bDrawn);
-	Writer.Key("reads").BeginArray();
-	for (const FProbeRead& Read : Pass.Reads)
-	{
-		Writer.BeginObject();
-		Writer.Member("texture", Read.Texture);
-		Writer.Member("reads", Read.NumReads);
-		Writer.Key("texels").BeginArray();
-		for (const FFootprintTexel& Texel : Read.Texels)
+	Writer.Members({{"pass", Pass.Pass}, {"shader", Pass.Shader}, {"drawn", Pass.bDrawn}});
+	Writer.Array("reads", Pass.Reads,
+		[&](const FProbeRead& Read)
 		{
-			Writer.BeginObject(true);
-			Writer.Member("x", Texel.X);
-			Writer.Member("y", Texel.Y);
-			Writer.Member("z", Texel.Z);
-			Writer.Member("mip", Texel.Mip);
-			Writer.Member("weight", Texel.Weight);
-			Writer.Key("value").BeginArray(true);
-			for (const double Value : Texel.Value)
-			{
-				Writer.Value(Value);
-			}
-			Writer.EndArray();
+			Writer.BeginObject();
+			Writer.Members({{"texture", Read.Texture}, {"reads", Read.NumReads}});
+			Writer.Array("texels", Read.Texels,
+				[&](const FFootprintTexel& Texel)
+				{
+					Writer.Object({{"x", Texel.X}, {"y", Texel.Y}, {"z", Texel.Z}, {"mip", Texel.Mip},
+						{"weight", Texel.Weight}, {"value", Texel.Value}});
+				});
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("writes").BeginArray();
-	for (const FProbeWrite& Write : Pass.Writes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("target", Write.Target);
-		Writer.Member("format", Write.Format);
-		Writer.Member("x", Write.X);
-		Writer.Member("y", Write.Y);
-		Writer.Key("value").BeginArray(true);
-		for (int c = 0; c < Write.NumChannels; ++c)
+		});
+	Writer.Array("writes", Pass.Writes,
+		[&](const FProbeWrite& Write)
 		{
-			Writer.Value(Write.Value[size_t(c)]);
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			Writer.Object({{"target", Write.Target}, {"format", Write.Format}, {"x", Write.X}, {"y", Write.Y},
+				{"value", Write.Value | std::views::take(Write.NumChannels)}});
+		});
 	Writer.EndObject();
 }
 
@@ -150,28 +123,18 @@ std::string MakeProbeJson(
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("x", Request.X);
-	Writer.Member("y", Request.Y);
-	Writer.Member("width", Request.Width);
-	Writer.Member("height", Request.Height);
+	Writer.Members({{"x", Request.X}, {"y", Request.Y}, {"width", Request.Width}, {"height", Request.Height}});
 	for (const auto& [Key, List] : {std::pair("passes", &Passes), std::pair("against", &Against)})
 	{
-		Writer.Key(Key).BeginArray();
-		for (const FProbePass& Pass : *List)
-		{
-			WritePass(Writer, Pass);
-		}
-		Writer.EndArray();
+		Writer.Array(Key, *List, [&](const FProbePass& Pass) { WritePass(Writer, Pass); });
 	}
 	const std::optional<FProbeDifference> Difference =
 		Against.empty() ? std::optional<FProbeDifference>() : FindDifference(Passes, Against);
 	if (Difference)
 	{
-		Writer.Key("firstDifference").BeginObject(true);
-		Writer.Member("pass", uint64_t(Difference->Pass));
-		Writer.Member("write", uint64_t(Difference->Write));
-		Writer.Member("otherPasses", Difference->bOtherPasses);
-		Writer.EndObject();
+		Writer.Key("firstDifference")
+			.Object({{"pass", uint64_t(Difference->Pass)}, {"write", uint64_t(Difference->Write)},
+				{"otherPasses", Difference->bOtherPasses}});
 	}
 	Writer.EndObject();
 	return Writer.GetText();

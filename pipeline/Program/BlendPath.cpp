@@ -14,6 +14,7 @@
 #include "Text/TextTable.h"
 #include "TextTools.h"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -69,39 +70,26 @@ std::string MakeWalkJson(const FSettingsWalk& Walk, const std::string& Csv, cons
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("csv", Csv);
-	Writer.Member("svg", Svg);
-	Writer.Key("settings").BeginArray(true);
-	for (const std::string& Name : GetNames(Walk))
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
-	Writer.Key("points").BeginArray();
-	for (const FWalkSample& Sample : Walk.Samples)
-	{
-		if (Sample.Point < 0)
+	Writer.Members({{"csv", Csv}, {"svg", Svg}, {"settings", GetNames(Walk)}});
+	Writer.Array("points", Walk.Samples,
+		[&](const FWalkSample& Sample)
 		{
-			continue;
-		}
-		Writer.BeginObject(true);
-		Writer.Member("point", Walk.Points[static_cast<size_t>(Sample.Point)].Label);
-		Writer.Member("distance", Sample.Distance);
-		Writer.Key("location").BeginArray(true);
-		for (const double Coordinate : {Sample.Location.X, Sample.Location.Y, Sample.Location.Z})
-		{
-			Writer.Value(Coordinate);
-		}
-		Writer.EndArray();
-		Writer.Key("weights").BeginObject(true);
-		for (size_t Volume = 0; Volume < Walk.Volumes.size(); ++Volume)
-		{
-			Writer.Member(Walk.Volumes[Volume], Sample.Weights[Volume]);
-		}
-		Writer.EndObject();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			if (Sample.Point < 0)
+			{
+				return;
+			}
+			Writer.BeginObject(true);
+			Writer.Members(
+				{{"point", Walk.Points[static_cast<size_t>(Sample.Point)].Label}, {"distance", Sample.Distance},
+					{"location", std::array{Sample.Location.X, Sample.Location.Y, Sample.Location.Z}}});
+			Writer.Key("weights").BeginObject(true);
+			for (size_t Volume = 0; Volume < Walk.Volumes.size(); ++Volume)
+			{
+				Writer.Member(Walk.Volumes[Volume], Sample.Weights[Volume]);
+			}
+			Writer.EndObject();
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

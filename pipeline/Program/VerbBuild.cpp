@@ -26,15 +26,9 @@ std::string MakeBuildJson(const FBuiltPlugin& Built)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("name", Built.Name);
-	Writer.Member("engine", "5." + std::to_string(Built.EngineMinor));
-	Writer.Member("library", std::filesystem::absolute(Built.Library).lexically_normal().string());
-	Writer.Key("notes").BeginArray();
-	for (const std::string& Note : Built.Notes)
-	{
-		Writer.Value(Note);
-	}
-	Writer.EndArray();
+	Writer.Members({{"name", Built.Name}, {"engine", "5." + std::to_string(Built.EngineMinor)},
+		{"library", std::filesystem::absolute(Built.Library).lexically_normal().string()}});
+	Writer.Array("notes", Built.Notes, [&](const std::string& Note) { Writer.Value(Note); });
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -192,8 +192,7 @@ void LintConfig(const std::string& Target, const FLintOptions& Options, FFound& 
 
 void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
 {
-	Writer.Member("rule", Rule.Id);
-	Writer.Member("severity", Rule.Severity == ESeverity::Error ? "error" : "warning");
+	Writer.Members({{"rule", Rule.Id}, {"severity", Rule.Severity == ESeverity::Error ? "error" : "warning"}});
 	Writer.Key("platforms").BeginArray(true);
 	for (size_t i = 0; i < GetLintPlatforms().size(); ++i)
 	{
@@ -203,9 +202,7 @@ void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
 		}
 	}
 	Writer.EndArray();
-	Writer.Member("message", Rule.Sentence);
-	Writer.Member("wayRound", Rule.WayRound);
-	Writer.Member("source", Rule.Source);
+	Writer.Members({{"message", Rule.Sentence}, {"wayRound", Rule.WayRound}, {"source", Rule.Source}});
 }
 
 std::string MakeRulesText()
@@ -223,14 +220,13 @@ std::string MakeRulesJson()
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Key("rules").BeginArray();
-	for (const FLintRule& Rule : GetLintRules())
-	{
-		Writer.BeginObject(true);
-		WriteRule(Writer, Rule);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("rules", GetLintRules(),
+		[&](const FLintRule& Rule)
+		{
+			Writer.BeginObject(true);
+			WriteRule(Writer, Rule);
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -239,17 +235,14 @@ std::string MakeLintJson(const FFound& Found)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Key("findings").BeginArray();
-	for (const FLintFinding& Finding : Found.Findings)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("file", Finding.File);
-		Writer.Member("line", Finding.Line);
-		Writer.Member("what", Finding.What);
-		WriteRule(Writer, *Finding.Rule);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("findings", Found.Findings,
+		[&](const FLintFinding& Finding)
+		{
+			Writer.BeginObject(true);
+			Writer.Members({{"file", Finding.File}, {"line", Finding.Line}, {"what", Finding.What}});
+			WriteRule(Writer, *Finding.Rule);
+			Writer.EndObject();
+		});
 	Writer.Member("shaders", static_cast<uint64_t>(Found.NumShaders));
 	Writer.EndObject();
 	return Writer.GetText();

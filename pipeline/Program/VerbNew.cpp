@@ -78,20 +78,10 @@ std::string MakePatchJson(
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("name", Options.Name);
-	Writer.Member("folder", Files::absolute(Folder).lexically_normal().string());
-	Writer.Key("files").BeginArray();
-	for (const FPatchFile& File : Project)
-	{
-		Writer.Value(File.Path);
-	}
-	Writer.EndArray();
-	Writer.Key("commands").BeginArray();
-	for (const std::string& Command : GetCommands(Folder, Options.Name))
-	{
-		Writer.Value(Command);
-	}
-	Writer.EndArray();
+	Writer.Members({{"name", Options.Name}, {"folder", Files::absolute(Folder).lexically_normal().string()}});
+	Writer.Array("files", Project, [&](const FPatchFile& File) { Writer.Value(File.Path); });
+	Writer.Array(
+		"commands", GetCommands(Folder, Options.Name), [&](const std::string& Command) { Writer.Value(Command); });
 	Writer.EndObject();
 	return Writer.GetText();
 }

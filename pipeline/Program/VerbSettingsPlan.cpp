@@ -61,10 +61,7 @@ std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
 	for (const FSettingPlace& Place : Places)
 	{
 		Writer.BeginObject();
-		Writer.Member("file", Place.File);
-		Writer.Member("where", Place.Where);
-		Writer.Member("text", Place.Text);
-		Writer.Member("why", Place.Why);
+		Writer.Members({{"file", Place.File}, {"where", Place.Where}, {"text", Place.Text}, {"why", Place.Why}});
 		Writer.EndObject();
 	}
 	Writer.EndArray();
