@@ -66,7 +66,7 @@ public:
 	FStudy Read(const FJsonValue& Value)
 	{
 		const FJsonValue* Axes = Value.Find("axes");
-		Study.bBlur = Axes != nullptr && std::any_of(Axes->Elements.begin(), Axes->Elements.end(), NamesAlgorithm);
+		Study.bBlur = Axes != nullptr && std::ranges::any_of(Axes->Elements, NamesAlgorithm);
 		if (Axes != nullptr && Axes->Type == EJsonType::Array)
 		{
 			for (const FJsonValue& Axis : Axes->Elements)
@@ -136,7 +136,7 @@ private:
 	void CheckIsOneOf(
 		const FJsonValue& At, const std::string& Value, const std::vector<std::string>& Names, const char* What)
 	{
-		if (std::find(Names.begin(), Names.end(), Value) == Names.end())
+		if (std::ranges::find(Names, Value) == Names.end())
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				std::string("there is no ") + What + " \"" + Value + "\": " + JoinText(Names) +
@@ -198,7 +198,7 @@ private:
 	bool CheckName(const std::string& Name, const FJsonValue& At)
 	{
 		std::vector<std::string> Names = GBlurNames;
-		bool bKnown = std::find(Names.begin(), Names.end(), Name) != Names.end();
+		bool bKnown = std::ranges::find(Names, Name) != Names.end();
 		if (!Study.bBlur)
 		{
 			Names = {"precision", "storage"};
@@ -286,8 +286,8 @@ private:
 		{
 			Axis.bEach = Each->Bool;
 		}
-		const bool bPlain = std::any_of(Values->Elements.begin(), Values->Elements.end(),
-			[](const FJsonValue& Element) { return Element.Type != EJsonType::Object; });
+		const bool bPlain = std::ranges::any_of(
+			Values->Elements, [](const FJsonValue& Element) { return Element.Type != EJsonType::Object; });
 		if (bPlain && !CheckName(Axis.Name, *Name))
 		{
 			return;
@@ -325,9 +325,8 @@ private:
 			Study.ReferenceName.clear();
 			for (FStudyAssignment& Assignment : ReadAssignments(*Reference))
 			{
-				Study.Reference.erase(std::remove_if(Study.Reference.begin(), Study.Reference.end(),
-										  [&](const FStudyAssignment& Other) { return Other.Name == Assignment.Name; }),
-					Study.Reference.end());
+				std::erase_if(
+					Study.Reference, [&](const FStudyAssignment& Other) { return Other.Name == Assignment.Name; });
 				Study.Reference.push_back(std::move(Assignment));
 			}
 			for (const FStudyAssignment& Assignment : Study.Reference)
@@ -387,7 +386,7 @@ private:
 	{
 		const FJsonValue* Region = Value.Find("region");
 		const bool bNumbers = Region != nullptr && Region->Type == EJsonType::Array &&
-							  std::all_of(Region->Elements.begin(), Region->Elements.end(),
+							  std::ranges::all_of(Region->Elements,
 								  [](const FJsonValue& Element) { return Element.Type == EJsonType::Number; });
 		if (!bNumbers || Region->Elements.size() != 4)
 		{

@@ -28,8 +28,7 @@ std::string FormatValue(const std::array<double, 4>& Value, int NumChannels)
 std::string FormatReads(const FProbeRead& Read)
 {
 	std::vector<FFootprintTexel> Texels = Read.Texels;
-	std::stable_sort(Texels.begin(), Texels.end(),
-		[](const FFootprintTexel& A, const FFootprintTexel& B) { return A.Weight > B.Weight; });
+	std::ranges::stable_sort(Texels, std::greater(), &FFootprintTexel::Weight);
 	std::string Text;
 	for (size_t i = 0; i < Texels.size() && i < MaxProbedTexels; ++i)
 	{

@@ -252,8 +252,7 @@ FImage MakeContactSheet(const std::vector<FSheetTile>& Tiles, const FSheetOption
 	const int NumTiles = static_cast<int>(Tiles.size());
 	const int NumColumns =
 		std::min(std::max(1, NumTiles), Options.Columns > 0 ? Options.Columns : ChooseColumns(Tiles.size()));
-	const bool bCaptions =
-		std::any_of(Tiles.begin(), Tiles.end(), [](const FSheetTile& Tile) { return !Tile.Caption.empty(); });
+	const bool bCaptions = std::ranges::any_of(Tiles, [](const FSheetTile& Tile) { return !Tile.Caption.empty(); });
 
 	std::vector<int> Tops = {Gap};
 	for (int First = 0; First < NumTiles; First += NumColumns)

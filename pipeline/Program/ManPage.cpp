@@ -124,16 +124,15 @@ std::string MakeManPage(const FProgramModel& Model)
 			Verbs.push_back(&Verb);
 		}
 	}
-	std::stable_sort(
-		Verbs.begin(), Verbs.end(), [](const FVerbModel* A, const FVerbModel* B) { return A->Group < B->Group; });
+	std::ranges::stable_sort(Verbs, [](const FVerbModel* A, const FVerbModel* B) { return A->Group < B->Group; });
 	const FVerbModel* Last = nullptr;
 	for (const FVerbModel* const Verb : Verbs)
 	{
 		if (Last == nullptr || Last->Group != Verb->Group)
 		{
 			std::string Heading = ToString(Verb->Group);
-			std::transform(Heading.begin(), Heading.end(), Heading.begin(),
-				[](unsigned char Letter) { return static_cast<char>(std::toupper(Letter)); });
+			std::ranges::transform(
+				Heading, Heading.begin(), [](unsigned char Letter) { return static_cast<char>(std::toupper(Letter)); });
 			Text += ".SH VERBS: " + Heading + "\n";
 		}
 		Text += MakeVerb(*Verb);

@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, std::string>> ListRun(const std::string& Fold
 	{
 		throw MakeError(ErrorFileMissing, PassFolder.string(), "cannot be listed: " + Error.message(), ExitFiles);
 	}
-	std::sort(Passes.begin(), Passes.end());
+	std::ranges::sort(Passes);
 	std::vector<std::pair<std::string, std::string>> Images;
 	std::map<std::string, int> Seen;
 	for (const Files::path& Pass : Passes)
@@ -117,8 +117,7 @@ std::vector<FPair> PairRuns(const std::string& FolderA, const std::string& Folde
 	}
 	for (const auto& [Name, File] : ListRun(FolderB))
 	{
-		const auto Found =
-			std::find_if(Pairs.begin(), Pairs.end(), [&Name = Name](const FPair& Pair) { return Pair.Name == Name; });
+		const auto Found = std::ranges::find(Pairs, Name, &FPair::Name);
 		if (Found != Pairs.end())
 		{
 			Found->B = File;

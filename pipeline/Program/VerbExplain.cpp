@@ -46,8 +46,7 @@ void AddSamples(const FRunResult& Result, FSamples& Samples)
 {
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		auto Known = std::find_if(
-			Samples.begin(), Samples.end(), [&](const auto& Sample) { return Sample.first == Pass.Index; });
+		auto Known = std::ranges::find_if(Samples, [&](const auto& Sample) { return Sample.first == Pass.Index; });
 		if (Known == Samples.end())
 		{
 			Known = Samples.insert(Samples.end(), {Pass.Index, {}});
@@ -61,7 +60,7 @@ FMeasuredPasses TakeMedians(FSamples Samples)
 	FMeasuredPasses Medians;
 	for (auto& [Index, Values] : Samples)
 	{
-		std::sort(Values.begin(), Values.end());
+		std::ranges::sort(Values);
 		Medians.push_back({Index, Values[Values.size() / 2]});
 	}
 	return Medians;

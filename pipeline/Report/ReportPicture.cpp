@@ -76,8 +76,7 @@ bool FPictureFigures::IsInDisplayRange() const
 	{
 		return Value <= 1.0;
 	};
-	return NumNaN + NumInfinite == 0 && std::all_of(Min.begin(), Min.end(), IsFrom0) &&
-		   std::all_of(Max.begin(), Max.end(), IsTo1);
+	return NumNaN + NumInfinite == 0 && std::ranges::all_of(Min, IsFrom0) && std::ranges::all_of(Max, IsTo1);
 }
 
 FPictureFigures MeasurePicture(const FPicture& Picture)

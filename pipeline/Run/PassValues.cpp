@@ -21,8 +21,7 @@ bool FollowsFromViewport(const std::string& Name)
 	constexpr const char* Derived[] = {".ExtentInverse", ".ScreenPosToViewportScale", ".ScreenPosToViewportBias",
 		".ViewportSize", ".ViewportSizeInverse", ".UVViewportMin", ".UVViewportMax", ".UVViewportSize",
 		".UVViewportSizeInverse", ".UVViewportBilinearMin", ".UVViewportBilinearMax"};
-	return std::any_of(
-		std::begin(Derived), std::end(Derived), [&Name](const char* Ending) { return Name.ends_with(Ending); });
+	return std::ranges::any_of(Derived, [&Name](const char* Ending) { return Name.ends_with(Ending); });
 }
 
 template<typename T>

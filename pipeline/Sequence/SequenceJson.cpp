@@ -207,8 +207,7 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	Writer.Key("volumes").BeginObject(true);
 	const FSettingsBlender Blender = MakeSettingsBlender(Result.Config);
 	std::vector<FVolumeAtPlace> Volumes = Blender.FindVolumes(Location);
-	std::sort(Volumes.begin(), Volumes.end(),
-		[](const FVolumeAtPlace& A, const FVolumeAtPlace& B) { return A.Volume < B.Volume; });
+	std::ranges::sort(Volumes, {}, &FVolumeAtPlace::Volume);
 	for (const FVolumeAtPlace& Volume : Volumes)
 	{
 		Writer.Member(GetVolumeName(Result.Config, Volume.Volume), Volume.Influence.Weight);
@@ -216,8 +215,8 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	Writer.EndObject();
 	Writer.Key("exposure")
 		.Object({{"scale", Result.ExposureScale}, {"preExposure", Result.Config.View.PreExposure.Value}});
-	const auto NumPasses = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
-		[](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; });
+	const auto NumPasses =
+		std::ranges::count_if(Result.Graph.Passes, [](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; });
 	Writer.Key("passes").Object({{"executed", static_cast<int64_t>(Result.Passes.size())},
 		{"culled", static_cast<int64_t>(NumPasses) - static_cast<int64_t>(Result.Passes.size())}});
 	Writer.Member("picture", Record.Picture);
@@ -291,7 +290,7 @@ bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File
 	{
 		return false;
 	}
-	return std::equal(Records->Elements.begin(), Records->Elements.end(), Frames.begin(), Frames.end(),
+	return std::ranges::equal(Records->Elements, Frames,
 		[](const FJsonValue& Record, int Frame) { return Record.GetNumber("frame", -1.0) == Frame; });
 }
 

@@ -46,8 +46,7 @@ std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Varian
 	else
 	{
 		const size_t By = static_cast<size_t>(Variant.ByTime.DominatedBy);
-		const bool bNoise =
-			std::find(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != Variant.WithinNoiseOf.end();
+		const bool bNoise = std::ranges::find(Variant.WithinNoiseOf, By) != Variant.WithinNoiseOf.end();
 		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (time within noise)" : "");
 	}
 	Text += Variant.bPlainCode && !bExcluded ? ", plain code" : "";

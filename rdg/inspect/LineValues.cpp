@@ -103,10 +103,9 @@ std::string ListNear(const FLineSteps& Found, int Line)
 	{
 		Lines.push_back(Known);
 	}
-	std::stable_sort(
-		Lines.begin(), Lines.end(), [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
+	std::ranges::stable_sort(Lines, [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
 	Lines.resize(std::min<size_t>(Lines.size(), 4));
-	std::sort(Lines.begin(), Lines.end());
+	std::ranges::sort(Lines);
 	std::string List;
 	for (const int Known : Lines)
 	{

@@ -38,8 +38,7 @@ constexpr FOperationName Functions[] = {{ExtRound, "round"}, {ExtRoundEven, "rou
 template<size_t Count>
 const char* FindName(const FOperationName (&Names)[Count], uint32_t Op)
 {
-	const auto Found =
-		std::find_if(std::begin(Names), std::end(Names), [Op](const FOperationName& Name) { return Name.Op == Op; });
+	const auto Found = std::ranges::find(Names, Op, &FOperationName::Op);
 	return Found == std::end(Names) ? nullptr : Found->Text;
 }
 

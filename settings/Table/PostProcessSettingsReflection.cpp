@@ -150,22 +150,20 @@ size_t GetNumTableSettings()
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
 	return static_cast<size_t>(
-		std::count_if(Fields.begin(), Fields.end(), [](const FSettingField& Field) { return Field.AddedId == 0; }));
+		std::ranges::count_if(Fields, [](const FSettingField& Field) { return Field.AddedId == 0; }));
 }
 
 const FSettingField* FindSettingField(const std::string& Name)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found =
-		std::find_if(Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.Name == Name; });
+	const auto Found = std::ranges::find(Fields, Name, &FSettingField::Name);
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 
 const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found = std::find_if(
-		Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.OverrideName == OverrideName; });
+	const auto Found = std::ranges::find(Fields, OverrideName, &FSettingField::OverrideName);
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 

@@ -9,8 +9,7 @@ namespace Drydock
 
 bool FSettingValue::IsFinite() const
 {
-	return std::all_of(
-		std::begin(Components), std::end(Components), [](double Component) { return std::isfinite(Component); });
+	return std::ranges::all_of(Components, [](double Component) { return std::isfinite(Component); });
 }
 
 const char* ToString(ESettingBlend Blend)

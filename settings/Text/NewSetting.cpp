@@ -161,14 +161,13 @@ std::optional<FNewSetting> MakeNewSetting(
 		OutError = "\"" + Name + "\" is not a name: use letters, digits and underscores, and no digit first";
 		return std::nullopt;
 	}
-	if (std::find(Types.begin(), Types.end(), Setting.Type) == Types.end())
+	if (std::ranges::find(Types, Setting.Type) == Types.end())
 	{
 		OutError = "there is no type " + Type + "; there are float, bool, int, color, vector2, vector4";
 		return std::nullopt;
 	}
 	// Fields of the same types know how values are read and written.
-	const auto Same = std::find_if(GetSettingFields().begin(), GetSettingFields().end(),
-		[&](const FSettingField& Field)
+	const auto Same = std::ranges::find_if(GetSettingFields(), [&](const FSettingField& Field)
 		{ return GetCppType(Field) == Setting.Type && GetNumTextElements(Field) == 1; });
 	FSettingField Model = *Same;
 	Model.Default = FSettingValue{Model.Type};

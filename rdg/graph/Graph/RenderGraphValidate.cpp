@@ -135,8 +135,7 @@ private:
 
 	void CheckOutputs(const FRDGPassDescription& Pass)
 	{
-		const bool bWrites =
-			std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return Use.IsWrite(); });
+		const bool bWrites = std::ranges::any_of(Pass.Uses, [](const FRDGUse& Use) { return Use.IsWrite(); });
 		if (Pass.bHasParameters && !bWrites && !Pass.bHasExternalOutputs &&
 			!EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull))
 		{

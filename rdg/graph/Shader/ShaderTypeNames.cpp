@@ -73,7 +73,7 @@ int GetElementBits(const std::string& MacroText)
 	const size_t Open = MacroText.find('<');
 	const size_t Close = MacroText.rfind('>');
 	std::string Name = Open < Close && Close != std::string::npos ? MacroText.substr(Open + 1, Close - Open - 1) : "";
-	Name.erase(std::remove(Name.begin(), Name.end(), ' '), Name.end());
+	std::erase(Name, ' ');
 	if (!Name.empty() && Name.back() >= '1' && Name.back() <= '4')
 	{
 		Name.pop_back(); // components
@@ -136,8 +136,7 @@ bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
 	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer",
 		"StructuredBuffer", "ByteAddressBuffer", "RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer",
 		"RWStructuredBuffer", "RWByteAddressBuffer"};
-	const bool bKnown =
-		std::any_of(std::begin(Kinds), std::end(Kinds), [&Kind](const char* Known) { return Kind == Known; });
+	const bool bKnown = std::ranges::any_of(Kinds, [&Kind](const char* Known) { return Kind == Known; });
 	return !bKnown || Kind == HlslType;
 }
 

@@ -157,8 +157,7 @@ void FReflector::FindUses()
 
 EShaderCounter FReflector::FindCounter(const std::string& Buffer) const
 {
-	const auto Named = std::find_if(Module.Variables.begin(), Module.Variables.end(),
-		[&Buffer](const FSpirvVariable& Variable) { return Variable.Name == Buffer; });
+	const auto Named = std::ranges::find(Module.Variables, Buffer, &FSpirvVariable::Name);
 	const std::string TypeName = Named == Module.Variables.end() ? std::string() : Module.GetType(Named->Type).Name;
 	const auto Is = [&](const std::string& Type)
 	{

@@ -108,8 +108,7 @@ const char* GetText(const FEmitPattern& Pattern, uint16_t Op, ESpirvType Kind)
 template<size_t Count>
 const FEmitPattern* FindPattern(const FEmitPattern (&Patterns)[Count], uint32_t Op)
 {
-	const auto Found =
-		std::find_if(std::begin(Patterns), std::end(Patterns), [Op](const FEmitPattern& P) { return P.Op == Op; });
+	const auto Found = std::ranges::find(Patterns, Op, &FEmitPattern::Op);
 	return Found == std::end(Patterns) ? nullptr : Found;
 }
 

@@ -70,8 +70,7 @@ std::string GetImageName(const FSpirvModule& Module, const FSpirvType& Type)
 
 std::string ExplainRefusedOp(uint16_t Op, const uint32_t* Operands, size_t NumOperands)
 {
-	const auto Row =
-		std::find_if(std::begin(Rows), std::end(Rows), [Op](const FRow& Candidate) { return Candidate.Op == Op; });
+	const auto Row = std::ranges::find(Rows, Op, &FRow::Op);
 	if (Row == std::end(Rows))
 	{
 		return {};
