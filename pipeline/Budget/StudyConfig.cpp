@@ -10,6 +10,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "Text/TextFormat.h"
 #include "TextTools.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +66,14 @@ public:
 
 	FStudy Read(const FJsonValue& Value)
 	{
-		const FJsonValue* Axes = Value.Find("axes");
-		Study.bBlur = Axes != nullptr && std::ranges::any_of(Axes->Elements, NamesAlgorithm);
-		if (Axes != nullptr && Axes->Type == EJsonType::Array)
+		const std::vector<FJsonValue>& Axes = Value.GetElements("axes");
+		Study.bBlur = std::ranges::any_of(Axes, NamesAlgorithm);
+		for (const FJsonValue& Axis : Axes)
 		{
-			for (const FJsonValue& Axis : Axes->Elements)
-			{
-				ReadAxis(Axis);
-			}
+			ReadAxis(Axis);
 		}
-		if (Axes != nullptr && Axes->Type == EJsonType::Array && Axes->Elements.empty())
+		const FJsonValue* Given = Value.Find("axes");
+		if (Given != nullptr && Given->Type == EJsonType::Array && Axes.empty())
 		{
 			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies at least one thing");
 		}
@@ -127,11 +126,7 @@ public:
 	}
 
 private:
-	static bool NamesAlgorithm(const FJsonValue& Axis)
-	{
-		const FJsonValue* Name = Axis.Find("name");
-		return Name != nullptr && Name->String == "algorithm";
-	}
+	static bool NamesAlgorithm(const FJsonValue& Axis) { return Axis.GetString("name") == "algorithm"; }
 
 	void CheckIsOneOf(
 		const FJsonValue& At, const std::string& Value, const std::vector<std::string>& Names, const char* What)
@@ -146,11 +141,7 @@ private:
 
 	void CheckBlurValue(const std::string& Name, const std::string& Text, const FJsonValue& At)
 	{
-		std::vector<std::string> Algorithms;
-		for (const FBlurAlgorithm& Algorithm : GetBlurAlgorithms())
-		{
-			Algorithms.push_back(Algorithm.Name);
-		}
+		auto Algorithms = ToVector<std::string>(GetBlurAlgorithms(), &FBlurAlgorithm::Name);
 		const std::vector<std::string>* Allowed = Name == "algorithm"    ? &Algorithms
 												  : Name == "input"      ? &GInputs
 												  : Name == "storage"    ? &GetBlurStorages()
@@ -322,18 +313,14 @@ private:
 		}
 		if (Reference->Type == EJsonType::Object && !Study.bBlur)
 		{
-			Study.ReferenceName.clear();
 			for (FStudyAssignment& Assignment : ReadAssignments(*Reference))
 			{
 				std::erase_if(
 					Study.Reference, [&](const FStudyAssignment& Other) { return Other.Name == Assignment.Name; });
 				Study.Reference.push_back(std::move(Assignment));
 			}
-			for (const FStudyAssignment& Assignment : Study.Reference)
-			{
-				Study.ReferenceName +=
-					(Study.ReferenceName.empty() ? "" : ", ") + Assignment.Name + " " + Assignment.Value;
-			}
+			Study.ReferenceName = JoinText(Study.Reference, ", ",
+				[](const FStudyAssignment& Assignment) { return Assignment.Name + " " + Assignment.Value; });
 		}
 		else if (Reference->Type != EJsonType::String || Reference->String != Study.ReferenceName)
 		{
@@ -346,15 +333,10 @@ private:
 
 	void ReadMetrics(const FJsonValue& Value)
 	{
-		const FJsonValue* Metrics = Value.Find("metrics");
-		if (Metrics != nullptr && Metrics->Type == EJsonType::Array)
+		for (const FJsonValue& Metric : Value.GetElements("metrics"))
 		{
-			for (const FJsonValue& Metric : Metrics->Elements)
+			if (Metric.Type == EJsonType::String) // another type is reported
 			{
-				if (Metric.Type != EJsonType::String)
-				{
-					continue; // reported
-				}
 				CheckIsOneOf(Metric, Metric.String, GetMetricNames(), "metric");
 				Study.Metrics.push_back(Metric.String);
 			}

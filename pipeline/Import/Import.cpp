@@ -10,6 +10,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -172,11 +173,8 @@ std::map<std::string, std::string> JoinAttributes(const FImportLayers& Layers)
 
 void ReportMissing(const FImportScene& Scene, std::vector<FDiagnostic>& Diagnostics)
 {
-	std::string List;
-	for (const std::string& Name : FindMissingChannels(Scene))
-	{
-		List += (List.empty() ? "" : ", ") + Name.substr(0, Name.find('.'));
-	}
+	std::string List = JoinText(
+		FindMissingChannels(Scene), ", ", [&](const std::string& Name) { return Name.substr(0, Name.find('.')); });
 	if (!List.empty())
 	{
 		Diagnostics.push_back({.Severity = ESeverity::Warning,

@@ -4,6 +4,7 @@
 #include "Math/ToInteger.h"
 #include "Picture/Srgb.h"
 #include "Picture/StrokeText.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <array>
@@ -244,11 +245,7 @@ FImage ScalePicture(const FImage& Picture, int Width)
 
 FImage MakeContactSheet(const std::vector<FSheetTile>& Tiles, const FSheetOptions& Options)
 {
-	std::vector<FImage> Bodies;
-	for (const FSheetTile& Tile : Tiles)
-	{
-		Bodies.push_back(MakeBody(Tile.Picture, Options));
-	}
+	auto Bodies = ToVector<FImage>(Tiles, [&](const FSheetTile& Tile) { return MakeBody(Tile.Picture, Options); });
 	const int NumTiles = static_cast<int>(Tiles.size());
 	const int NumColumns =
 		std::min(std::max(1, NumTiles), Options.Columns > 0 ? Options.Columns : ChooseColumns(Tiles.size()));

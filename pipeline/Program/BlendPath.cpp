@@ -13,9 +13,9 @@
 #include "Text/TextFile.h"
 #include "Text/TextTable.h"
 #include "TextTools.h"
+#include "RangeTools.h"
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 
 namespace Drydock
@@ -51,12 +51,7 @@ std::string MakeWalkSummary(const FSettingsWalk& Walk, const std::string& MarkNa
 
 std::vector<std::string> GetNames(const FSettingsWalk& Walk)
 {
-	std::vector<std::string> Names;
-	for (const size_t Index : Walk.Settings)
-	{
-		Names.emplace_back(GetSettingFields()[Index].Name);
-	}
-	return Names;
+	return ToVector<std::string>(Walk.Settings, [&](const size_t Index) { return GetSettingFields()[Index].Name; });
 }
 
 std::string ListSettings(const FSettingsWalk& Walk)

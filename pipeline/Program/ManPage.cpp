@@ -2,6 +2,7 @@
 #include "Program/ManPage.h"
 
 #include "Text/Version.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -26,11 +27,8 @@ std::string Escape(const std::string& Text)
 /** "--frames LIST", bold and italic. */
 std::string MakeTag(const FOptionModel& Option)
 {
-	std::string Text;
-	for (const std::string& Name : Option.Names)
-	{
-		Text += std::string(Text.empty() ? "" : ", ") + (Option.bPositional ? "\\fI" : "\\fB") + Escape(Name) + "\\fR";
-	}
+	std::string Text = JoinText(Option.Names, ", ",
+		[&](const std::string& Name) { return (Option.bPositional ? "\\fI" : "\\fB") + Escape(Name) + "\\fR"; });
 	const bool bValue = !Option.bPositional && !Option.Type.empty();
 	const std::string Type = "\\fI" + Escape(Option.Type) + "\\fR";
 	return Text + (!bValue ? "" : Option.bValueOptional ? " [" + Type + "]" : " " + Type);

@@ -6,7 +6,6 @@
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 

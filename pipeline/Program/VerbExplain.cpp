@@ -7,7 +7,6 @@
 #include "Run/Explain.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <unistd.h>
 

@@ -10,7 +10,6 @@
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 
-#include <cstdio>
 #include <memory>
 
 namespace Drydock

@@ -9,7 +9,6 @@
 #include "Text/TextFile.h"
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace Drydock

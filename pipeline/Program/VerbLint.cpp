@@ -170,12 +170,11 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 	if (NumLooked == 0)
 	{
-		const std::string Nearest = FindNearestName(Options.Entry, Names);
 		throw FError({.Code = 6011,
 						 .Message = "no shader class names this file, and it has no entry point" +
 									(Options.Entry.empty() ? std::string() : " '" + Options.Entry + "'") +
 									": a function with [numthreads], or one that writes SV_Target" +
-									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
+									SuggestName(Options.Entry, Names),
 						 .File = Target},
 			ExitUsage);
 	}
@@ -273,8 +272,7 @@ int Lint(const FLintOptions& Options)
 	}
 	if (Options.Targets.empty())
 	{
-		throw FError({.Code = ErrorBadArgument, .Message = "a shader or a config is missing; --list shows the rules"},
-			ExitUsage);
+		throw BadArgument("a shader or a config is missing; --list shows the rules");
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);

@@ -6,7 +6,6 @@
 #include "Prove/Prove.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace Drydock

@@ -25,11 +25,6 @@ struct FSettingsPlanOptions
 	bool bJson = false;
 };
 
-[[noreturn]] void Refuse(const std::string& Message)
-{
-	throw FError({.Code = ErrorBadArgument, .Message = Message}, ExitUsage);
-}
-
 /** From the table, or from the arguments where the table does not have it. */
 FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 {
@@ -39,15 +34,14 @@ FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 	}
 	if (Options.Type.empty())
 	{
-		const std::string Nearest = FindNearestName(Options.Name, GetSettingNames());
-		Refuse("there is no setting " + Options.Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") +
+		throw BadArgument("there is no setting " + Options.Name + SuggestName(Options.Name, GetSettingNames()) +
 			   " For a new one give its type, such as --type float --default 0");
 	}
 	std::string Error;
 	std::optional<FNewSetting> Setting = MakeNewSetting(Options.Name, Options.Type, Options.Default, Error);
 	if (!Setting)
 	{
-		Refuse(Error);
+		throw BadArgument(Error);
 	}
 	Setting->Category = Options.Category.empty() ? Setting->Category : Options.Category;
 	Setting->Doc = Options.Doc.empty() ? Setting->Doc : Options.Doc;

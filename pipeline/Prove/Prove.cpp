@@ -172,12 +172,8 @@ std::vector<FProven> ProveConfig(const FProveOptions& Options)
 	}
 	if (Asked.empty())
 	{
-		const std::string Nearest = FindNearestName(Options.Only, Names);
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "there is no equivalence '" + Options.Only + "'" +
-									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
-						 .Where = "--only"},
-			ExitUsage);
+		throw BadArgument(
+			"there is no equivalence '" + Options.Only + "'" + SuggestName(Options.Only, Names), "--only");
 	}
 	FProver Prover(Options.Run);
 	std::vector<FProven> Proven;

@@ -4,6 +4,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -15,11 +16,7 @@ namespace
 
 std::string FormatValues(const std::vector<double>& Values)
 {
-	std::string Text;
-	for (const double Value : Values)
-	{
-		Text += (Text.empty() ? "" : ", ") + NumberText(Value);
-	}
+	std::string Text = JoinText(Values, ", ", [&](const double Value) { return NumberText(Value); });
 	return Values.size() > 1 ? "(" + Text + ")" : Text;
 }
 

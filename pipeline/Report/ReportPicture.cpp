@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
 #include <zlib.h>
 
 namespace Drydock
@@ -20,15 +19,9 @@ namespace
 
 const char* GetReportEncodingName(EReportEncoding Encoding)
 {
-	switch (Encoding)
-	{
-	case EReportEncoding::Srgb:
-		return "srgb";
-	case EReportEncoding::Compressed:
-		return "compressed";
-	default:
-		return "display";
-	}
+	return Encoding == EReportEncoding::Srgb         ? "srgb"
+		   : Encoding == EReportEncoding::Compressed ? "compressed"
+													 : "display";
 }
 
 template<typename T>

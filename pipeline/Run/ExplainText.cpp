@@ -6,8 +6,6 @@
 #include "Text/TextTable.h"
 #include "TextTools.h"
 
-#include <algorithm>
-
 namespace Drydock
 {
 
@@ -115,12 +113,8 @@ std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
 {
-	const std::string Nearest = FindNearestName(Name, Names);
-	const std::string Hint = Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
-	throw FError({.Code = ErrorBadArgument,
-					 .Message = fmt::format("this frame has no {} {}{}", Thing, Name, Hint),
-					 .Where = std::string("--") + Thing},
-		ExitUsage);
+	const std::string Hint = SuggestName(Name, Names);
+	throw BadArgument(fmt::format("this frame has no {} {}{}", Thing, Name, Hint), std::string("--") + Thing);
 }
 
 /** By its whole name, its index, or the name without what follows it ("BloomSetup" for "BloomSetup 480x270 (PS)"). */

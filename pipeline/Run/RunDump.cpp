@@ -8,6 +8,7 @@
 #include "Text/GlobPattern.h"
 #include "Text/TextFormat.h"
 #include "TileExecutor.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,11 +23,8 @@ namespace
 /** Names that a pattern could have meant. */
 std::vector<std::string> GetDumpCandidates(const FRDGCompiledGraph& Graph)
 {
-	std::vector<std::string> Names;
-	for (const FRDGCompiledPass& Pass : Graph.Passes)
-	{
-		Names.push_back(GetShortPassName(Pass.Name));
-	}
+	auto Names =
+		ToVector<std::string>(Graph.Passes, [&](const FRDGCompiledPass& Pass) { return GetShortPassName(Pass.Name); });
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
 		Names.push_back(Resource.Name);

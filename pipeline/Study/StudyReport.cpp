@@ -4,6 +4,7 @@
 #include "Run/RunJson.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 #include "Text/Version.h"
 
@@ -154,21 +155,6 @@ void WriteBudget(FJsonWriter& Writer, const FStudyBudget& Budget)
 	Writer.MemberIfAny("ms", Budget.Ms);
 	Writer.Member("default", Budget.bDefault);
 	Writer.EndObject();
-}
-
-/** A cell: quoted where it has to be. */
-std::string CsvText(const std::string& Text)
-{
-	if (Text.find_first_of(",\"\n") == std::string::npos)
-	{
-		return Text;
-	}
-	std::string Quoted = "\"";
-	for (const char Character : Text)
-	{
-		Quoted += Character == '"' ? "\"\"" : std::string(1, Character);
-	}
-	return Quoted + "\"";
 }
 
 } // namespace

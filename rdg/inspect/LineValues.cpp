@@ -3,6 +3,7 @@
 
 #include "AuthorsNames.h"
 #include "Diagnostics.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -106,12 +107,8 @@ std::string ListNear(const FLineSteps& Found, int Line)
 	std::ranges::stable_sort(Lines, [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
 	Lines.resize(std::min<size_t>(Lines.size(), 4));
 	std::ranges::sort(Lines);
-	std::string List;
-	for (const int Known : Lines)
-	{
-		List += (List.empty() ? "" : ", ") + std::to_string(Known) + " (" + *ByLine[Known].begin() + ")";
-	}
-	return List;
+	return JoinText(
+		Lines, ", ", [&](const int Known) { return std::to_string(Known) + " (" + *ByLine[Known].begin() + ")"; });
 }
 
 class FLineWatcher final : public IThreadWatcher
@@ -195,12 +192,7 @@ std::string ListNames(const FInspectedShader& Shader)
 {
 	std::set<std::string> Names(Shader.GetProgram().VariableNames.begin(), Shader.GetProgram().VariableNames.end());
 	Names.erase(std::string());
-	std::string List;
-	for (const std::string& Name : Names)
-	{
-		List += (List.empty() ? "" : ", ") + Name;
-	}
-	return List;
+	return JoinText(Names);
 }
 
 } // namespace

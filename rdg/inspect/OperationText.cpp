@@ -58,15 +58,10 @@ bool TakesVectors(const FSpirvInstruction& I)
 
 std::string FormatReal(double Value)
 {
-	if (std::isnan(Value))
-	{
-		return "NaN";
-	}
-	if (std::isinf(Value))
-	{
-		return Value < 0 ? "-Inf" : "Inf";
-	}
-	return double(float(Value)) == Value ? FormatShortest(float(Value)) : FormatShortest(Value);
+	return std::isnan(Value)               ? "NaN"
+		   : std::isinf(Value)             ? (Value < 0 ? "-Inf" : "Inf")
+		   : double(float(Value)) == Value ? FormatShortest(float(Value))
+										   : FormatShortest(Value);
 }
 
 std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind)

@@ -2,6 +2,7 @@
 #include "BlendSettings.h"
 
 #include "BlendContributions.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -252,12 +253,8 @@ FVolumeAtPlace FSettingsBlender::MeasureVolume(size_t Index, const FVector& Loca
 
 std::vector<FVolumeAtPlace> FSettingsBlender::FindVolumes(const FVector& Location) const
 {
-	std::vector<FVolumeAtPlace> Places;
-	for (const size_t Index : Order)
-	{
-		Places.push_back(MeasureVolume(Index, Location, !Inputs.Volumes[Index].bUnbound));
-	}
-	return Places;
+	return ToVector<FVolumeAtPlace>(
+		Order, [&](const size_t Index) { return MeasureVolume(Index, Location, !Inputs.Volumes[Index].bUnbound); });
 }
 
 FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const

@@ -72,27 +72,12 @@ std::string FormatDefault(const FSettingField& Field, const std::string& Type)
 
 std::string GetCppType(const FSettingField& Field)
 {
-	switch (Field.Type)
-	{
-	case ESettingType::Float:
-		return "float";
-	case ESettingType::Bool:
-		return "bool";
-	case ESettingType::Int:
-		return "int32";
-	case ESettingType::Enum:
-		return std::string("E") + Field.Name;
-	case ESettingType::Color:
-	case ESettingType::ColorArray:
-		return "FLinearColor";
-	case ESettingType::Vector2:
-		return "FVector2D";
-	case ESettingType::Vector4:
-		return "FVector4";
-	case ESettingType::Object:
-		return std::string("TObjectPtr<class U") + Field.ObjectClass + ">";
-	}
-	return "";
+	constexpr const char* Types[] = {
+		"float", "bool", "int32", "E", "FLinearColor", "FVector2D", "FVector4", "TObjectPtr<class U", "FLinearColor"};
+	return std::string(Types[size_t(Field.Type)]) + (Field.Type == ESettingType::Enum ? Field.Name
+														: Field.Type == ESettingType::Object
+															? std::string(Field.ObjectClass) + ">"
+															: "");
 }
 
 /** A bound in the table's words: 0, 0.02. */
@@ -104,11 +89,8 @@ std::string FormatBound(double Bound)
 
 std::string FormatRange(const FSettingRange& Range)
 {
-	if (!std::isfinite(Range.ClampMin))
-	{
-		return "Anything";
-	}
-	return std::isfinite(Range.ClampMax)
+	return !std::isfinite(Range.ClampMin) ? "Anything"
+		   : std::isfinite(Range.ClampMax)
 			   ? "Between(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.ClampMax) + ")"
 			   : "AtLeast(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.UIMax) + ")";
 }

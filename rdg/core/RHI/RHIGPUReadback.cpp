@@ -3,7 +3,6 @@
 
 #include "TextureTransfer.h"
 
-#include <algorithm>
 
 FRHIGPUMemoryReadback::~FRHIGPUMemoryReadback() = default;
 

@@ -56,11 +56,7 @@ const char* FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 	};
 	const bool bDepthClears = B.DepthStencil >= 0 && (B.DepthLoad == ERenderTargetLoadAction::EClear ||
 														 B.StencilLoad == ERenderTargetLoadAction::EClear);
-	if (bDepthClears || std::ranges::any_of(B.Colors, Clears))
-	{
-		return "the pass clears its targets";
-	}
-	return "";
+	return bDepthClears || std::ranges::any_of(B.Colors, Clears) ? "the pass clears its targets" : "";
 }
 
 } // namespace

@@ -222,8 +222,7 @@ private:
 		}
 		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath))
 		{
-			const std::string Nearest = FindNearestName(Request.EntryPoint, ListFunctions(Flatten()));
-			Error.Message += Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?";
+			Error.Message += SuggestName(Request.EntryPoint, ListFunctions(Flatten()));
 		}
 	}
 

@@ -214,10 +214,8 @@ bool FReflection::Give(
 	const FFoundProperty Found = FindProperty(Class, Name, false);
 	if (Found.Property == nullptr)
 	{
-		const std::string Nearest = FindNearestName(Name, GetPropertyNames(Class));
 		OutProblem = {FPropertyProblem::EKind::UnknownProperty, "",
-			std::string(Class.Name) + " has no UPROPERTY " + Name +
-				(Nearest.empty() ? "" : "; did you mean " + Nearest + "?")};
+			std::string(Class.Name) + " has no UPROPERTY " + Name + SuggestName(Name, GetPropertyNames(Class))};
 		return false;
 	}
 	if (Class.GetDefault == nullptr)
