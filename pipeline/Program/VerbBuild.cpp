@@ -63,10 +63,7 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 		"Leave out a file, folder or module: a path relative to PLUGIN_DIR, or a name; with * and ?");
 	Verb.Add("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, engine, library and the files left out");
-	return [Options]
-	{
-		return Build(*Options);
-	};
+	return CallWith(Options, Build);
 }
 
 const FVerbRegistration GBuildRegistration({

@@ -161,10 +161,7 @@ FVerbCall AddExplainOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--measure", Options->bMeasure,
 		"Run the frame as it is and with --no-skip, interleaved, and print medians instead of estimates");
 	Verb.AddFlag("--json", Options->bJson, "Print effects, passes and costs as JSON");
-	return [Options]
-	{
-		return Explain(*Options);
-	};
+	return CallWith(Options, Explain);
 }
 
 const FVerbRegistration GExplainRegistration({

@@ -315,10 +315,7 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return [Options]
-	{
-		return Lint(*Options);
-	};
+	return CallWith(Options, Lint);
 }
 
 const FVerbRegistration GLintRegistration({

@@ -267,10 +267,7 @@ FVerbCall AddListOptions(FVerbOptions& Verb)
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--names", Options->bNames, "Print only names, one a line, for shell completion");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
-	return [Options]
-	{
-		return PrintList(*Options);
-	};
+	return CallWith(Options, PrintList);
 }
 
 const FVerbRegistration GListRegistration({

@@ -120,10 +120,7 @@ FVerbCall AddNewOptions(FVerbOptions& Verb)
 	Verb.Add("--dir", Options->Folder, "Make the folder NAME in this folder; in the current one by default")
 		.SetType("DIR");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, folder, files and the next commands");
-	return [Options]
-	{
-		return MakePatch(*Options);
-	};
+	return CallWith(Options, MakePatch);
 }
 
 const FVerbRegistration GNewRegistration({

@@ -102,10 +102,7 @@ FVerbCall AddProbeOptions(FVerbOptions& Verb)
 			"runs differ")
 		.SetType("WHAT");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels read");
-	return [Options]
-	{
-		return Probe(*Options);
-	};
+	return CallWith(Options, Probe);
 }
 
 const FVerbRegistration GProbeRegistration({

@@ -274,10 +274,7 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
-	return [Options]
-	{
-		return RunOrWatch(*Options);
-	};
+	return CallWith(Options, RunOrWatch);
 }
 
 const FVerbRegistration GRunRegistration({

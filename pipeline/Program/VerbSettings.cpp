@@ -227,10 +227,7 @@ FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 		.SetType("CONFIG");
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--json", Options->bJson, "Print an object of volumes and messages");
-	return [Options]
-	{
-		return ImportSettings(*Options);
-	};
+	return CallWith(Options, ImportSettings);
 }
 
 const FVerbRegistration GSettingsImportRegistration({
@@ -253,10 +250,7 @@ FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--struct", Options->bStruct, "Export only the settings (..), to paste into a volume's Settings");
 	Verb.AddFlag("--full", Options->bFull, "Export all settings, not only those that are overridden or changed");
 	AddTrust(Verb, Options->Run);
-	return [Options]
-	{
-		return ExportSettings(*Options);
-	};
+	return CallWith(Options, ExportSettings);
 }
 
 const FVerbRegistration GSettingsExportRegistration({

@@ -35,7 +35,7 @@ FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 	if (Options.Type.empty())
 	{
 		throw BadArgument("there is no setting " + Options.Name + SuggestName(Options.Name, GetSettingNames()) +
-			   " For a new one give its type, such as --type float --default 0");
+						  " For a new one give its type, such as --type float --default 0");
 	}
 	std::string Error;
 	std::optional<FNewSetting> Setting = MakeNewSetting(Options.Name, Options.Type, Options.Default, Error);
@@ -79,10 +79,7 @@ FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 	Verb.Add("--category", Options->Category, "Category of a new setting").SetType("A|B");
 	Verb.Add("--doc", Options->Doc, "Description of a new setting").SetType("TEXT");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
-	return [Options]
-	{
-		return PrintPlan(*Options);
-	};
+	return CallWith(Options, PrintPlan);
 }
 
 const FVerbRegistration GSettingsPlanRegistration({

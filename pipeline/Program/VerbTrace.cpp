@@ -88,10 +88,7 @@ FVerbCall AddTraceOptions(FVerbOptions& Verb)
 		.RequireNonNegative()
 		.SetType("X");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every iteration of every loop");
-	return [Options]
-	{
-		return Trace(*Options);
-	};
+	return CallWith(Options, Trace);
 }
 
 const FVerbRegistration GTraceRegistration({

@@ -3,7 +3,6 @@
 
 #include "TextureTransfer.h"
 
-
 FRHIGPUMemoryReadback::~FRHIGPUMemoryReadback() = default;
 
 void FRHIGPUMemoryReadback::Unlock()
