@@ -5,6 +5,8 @@
 
 #include "pipeline/ProgramTestUtils.h"
 
+#include "Picture/PictureFile.h"
+
 using ProgramTest::FOutcome;
 using ProgramTest::FProgramFolder;
 using testing::HasSubstr;
@@ -36,7 +38,7 @@ std::vector<double> RunRow(const FProgramFolder& Folder)
 {
 	const FOutcome Run = Folder.Call("run frame.json --out out");
 	EXPECT_EQ(0, Run.ExitCode) << Run.Printed;
-	const Drydock::FImage Picture = Drydock::LoadImage((Folder.Path / "out/scene_linear.exr").string());
+	const Drydock::FImage Picture = Drydock::ReadPicture((Folder.Path / "out/scene_linear.exr").string());
 	std::vector<double> Row;
 	for (int X = 0; X < Picture.Width; ++X)
 	{
