@@ -32,8 +32,8 @@ struct FSceneTextures
 	/** drydock: what is composed over the picture after depth of field: premultiplied radiance, pre-exposed, and in
 	 * alpha the transmittance of what lies behind. The engine keeps it in FTranslucencyPassResources. */
 	FRDGTextureRef SeparateTranslucency = nullptr;
-	/** drydock: channels of the scene file that the config names as textures (scene.textures), as they stand, by name. A
-	 * patch of the engine would add a member for each. */
+	/** drydock: channels of the scene file that the config names as textures (scene.textures), as they stand, by name.
+	 * A patch of the engine would add a member for each. */
 	std::map<std::string, FRDGTextureRef> Named;
 
 	/** The texture of Named; null where there is none. */

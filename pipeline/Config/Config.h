@@ -64,7 +64,7 @@ struct FConfigScene
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
 	std::map<std::string, TConfigValue<std::string>> Textures; // "X, Y": channels of the file, by the texture's name
-	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
+	std::optional<FConfigVector> CameraLocation;               // cm, of the file's header: see CompleteFromScene
 	FConfigPadding Padding;
 	double ScreenPercentage = 100.0; // rendered size in percent of the output's
 	FSceneUnits Units;

@@ -1,5 +1,5 @@
-// Configs that somebody made to cost much: time stays linear, and messages few. Bounds of time are ten times and more
-// what is needed, and less than a tenth of what it took before.
+// Configs that somebody made to cost much: time stays linear, and messages few. Time is that of the processor, as a
+// multiple of what parsing the text takes; it was more than a thousand times that.
 #include <gtest/gtest.h>
 
 #include "Config/ReadConfig.h"
@@ -7,7 +7,7 @@
 #include "PostProcessSettingsTextVolume.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 using namespace Drydock;
 
@@ -18,7 +18,7 @@ struct FOutcome
 {
 	FConfig Config;
 	std::vector<FDiagnostic> Diagnostics;
-	double Seconds = 0.0;
+	double TimesParsing = 0.0; // processor time of reading, in that of parsing
 
 	bool Says(const std::string& Part) const
 	{
@@ -30,9 +30,11 @@ struct FOutcome
 FOutcome Read(const std::string& Text)
 {
 	FOutcome Outcome;
-	const auto Begin = std::chrono::steady_clock::now();
+	const std::clock_t Begin = std::clock();
+	ParseConfigDocument(Text, "a.json");
+	const std::clock_t Parsed = std::clock();
 	Outcome.Config = ReadConfig(Text, "a.json", Outcome.Diagnostics);
-	Outcome.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
+	Outcome.TimesParsing = static_cast<double>(std::clock() - Parsed) / static_cast<double>(Parsed - Begin + 1);
 	return Outcome;
 }
 
@@ -61,7 +63,7 @@ TEST(ConfigLimits, ThousandsOfUnknownNamesAreNotAllLookedUp)
 	for (const std::string& Config : Configs)
 	{
 		const FOutcome Outcome = Read(Config);
-		EXPECT_LT(Outcome.Seconds, 5.0) << Config.substr(0, 60);
+		EXPECT_LT(Outcome.TimesParsing, 200.0) << Config.substr(0, 60);
 		ASSERT_EQ(101u, Outcome.Diagnostics.size()) << Config.substr(0, 60);
 		EXPECT_EQ(0u, Outcome.Diagnostics.back().ToString().find("error DD1025: and 99900 more like it (DD"));
 		EXPECT_NE(std::string::npos, Outcome.Diagnostics[0].Message.find("did you mean")) << Config.substr(0, 60);
