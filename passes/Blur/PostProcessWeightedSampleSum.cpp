@@ -88,24 +88,16 @@ void SetTaps(const FFilterPassInputs& Inputs, FFilterParameters& Parameters)
 
 ERectBorder ChooseRectBorder(const FScreenPassTextureViewport& Viewport, EGaussianBlurAddress Address)
 {
-	if (Address == EGaussianBlurAddress::Clamp)
-	{
-		return ERectBorder::Clamp;
-	}
-	if (Viewport.IsFullscreen())
-	{
-		return ERectBorder::Sampler;
-	}
-	return Address == EGaussianBlurAddress::Mirror ? ERectBorder::Mirror : ERectBorder::Black;
+	return Address == EGaussianBlurAddress::Clamp    ? ERectBorder::Clamp
+		   : Viewport.IsFullscreen()                 ? ERectBorder::Sampler
+		   : Address == EGaussianBlurAddress::Mirror ? ERectBorder::Mirror
+													 : ERectBorder::Black;
 }
 
 FRHISamplerState* ChooseFilterSampler(ERectBorder RectBorder, EGaussianBlurAddress Address)
 {
-	if (RectBorder != ERectBorder::Sampler)
-	{
-		return TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
-	}
-	return Address == EGaussianBlurAddress::Mirror
+	return RectBorder != ERectBorder::Sampler ? TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI()
+		   : Address == EGaussianBlurAddress::Mirror
 			   ? TStaticSamplerState<SF_Bilinear, AM_Mirror, AM_Mirror, AM_Clamp>::GetRHI()
 			   : TStaticSamplerState<SF_Bilinear, AM_Border, AM_Border, AM_Clamp>::GetRHI();
 }

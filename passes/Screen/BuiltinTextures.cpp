@@ -1,5 +1,6 @@
 // The shapes of the built-in kernels.
 #include "Screen/BuiltinTextures.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,12 +69,7 @@ const std::vector<std::string>& GetBuiltinTextureNames()
 {
 	static const std::vector<std::string> Names = []
 	{
-		std::vector<std::string> All;
-		for (const FBuiltinKernel& Kernel : Kernels)
-		{
-			All.push_back(Kernel.Name);
-		}
-		return All;
+		return ToVector<std::string>(Kernels, &FBuiltinKernel::Name);
 	}();
 	return Names;
 }

@@ -3,6 +3,7 @@
 
 #include "Screen/BuiltinTextures.h"
 #include "SettingObjects.h"
+#include "RangeTools.h"
 
 #include <map>
 #include <mutex>
@@ -30,11 +31,8 @@ FTextureRHIRef MakeBuiltinTexture(const std::string& Path)
 	{
 		return nullptr;
 	}
-	std::vector<FLinearColor> Colors;
-	for (const float Value : Values)
-	{
-		Colors.push_back(FLinearColor(Value, Value, Value, 1.0f));
-	}
+	auto Colors =
+		ToVector<FLinearColor>(Values, [&](const float Value) { return FLinearColor(Value, Value, Value, 1.0f); });
 	return MakePictureTexture(FIntPoint(BuiltinKernelSize, BuiltinKernelSize), Colors, Path);
 }
 

@@ -123,16 +123,9 @@ float GetGrainQuantizationStep(EPixelFormat OutputFormat)
 	{
 		return 0.0f;
 	}
-	switch (OutputFormat)
-	{
-	case PF_B8G8R8A8:
-	case PF_R8G8B8A8:
-		return 1.0f / 255.0f;
-	case PF_A2B10G10R10:
-		return 1.0f / 1023.0f;
-	default:
-		return 0.0f;
-	}
+	return OutputFormat == PF_B8G8R8A8 || OutputFormat == PF_R8G8B8A8 ? 1.0f / 255.0f
+		   : OutputFormat == PF_A2B10G10R10                           ? 1.0f / 1023.0f
+																	  : 0.0f;
 }
 
 } // namespace Drydock

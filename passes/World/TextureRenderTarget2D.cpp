@@ -5,6 +5,8 @@
 #include "Kismet/KismetRenderingLibrary.h"
 #include "RenderGraphUtils.h"
 
+#include <map>
+
 namespace
 {
 
@@ -22,31 +24,12 @@ void Fill(FRHITexture& Texture, const FLinearColor& Color, FIntPoint Size)
 
 EPixelFormat GetPixelFormatFromRenderTargetFormat(ETextureRenderTargetFormat Format)
 {
-	switch (Format)
-	{
-	case RTF_R8:
-		return PF_G8;
-	case RTF_RG8:
-		return PF_R8G8;
-	case RTF_RGBA8:
-	case RTF_RGBA8_SRGB:
-		return PF_B8G8R8A8;
-	case RTF_R16f:
-		return PF_R16F;
-	case RTF_RG16f:
-		return PF_G16R16F;
-	case RTF_RGBA16f:
-		return PF_FloatRGBA;
-	case RTF_R32f:
-		return PF_R32_FLOAT;
-	case RTF_RG32f:
-		return PF_G32R32F;
-	case RTF_RGBA32f:
-		return PF_A32B32G32R32F;
-	case RTF_RGB10A2:
-		return PF_A2B10G10R10;
-	}
-	return PF_Unknown;
+	static const std::map<ETextureRenderTargetFormat, EPixelFormat> Formats = {{RTF_R8, PF_G8}, {RTF_RG8, PF_R8G8},
+		{RTF_RGBA8, PF_B8G8R8A8}, {RTF_RGBA8_SRGB, PF_B8G8R8A8}, {RTF_R16f, PF_R16F}, {RTF_RG16f, PF_G16R16F},
+		{RTF_RGBA16f, PF_FloatRGBA}, {RTF_R32f, PF_R32_FLOAT}, {RTF_RG32f, PF_G32R32F}, {RTF_RGBA32f, PF_A32B32G32R32F},
+		{RTF_RGB10A2, PF_A2B10G10R10}};
+	const auto Found = Formats.find(Format);
+	return Found == Formats.end() ? PF_Unknown : Found->second;
 }
 
 FTextureRenderTargetResource* UTextureRenderTarget::GetRenderTargetResource() const

@@ -9,8 +9,6 @@
 #include "Text/GlobPattern.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace Drydock
 {
@@ -259,9 +257,8 @@ std::vector<size_t> FindSettings(const std::vector<std::string>& Patterns)
 		}
 		if (!bFound)
 		{
-			const std::string Nearest = FindNearestName(Pattern, GetSettingNames());
 			Diagnostics.push_back({.Code = ErrorUnknownSetting,
-				.Message = "unknown setting " + Pattern + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?"),
+				.Message = "unknown setting " + Pattern + SuggestName(Pattern, GetSettingNames()),
 				.Where = "--setting"});
 		}
 	}

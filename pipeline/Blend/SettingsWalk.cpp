@@ -81,21 +81,6 @@ std::vector<size_t> FindChanging(const FSettingsBlender& Blender, const std::vec
 	return Changing;
 }
 
-/** Quoted where it must be. */
-std::string CsvText(const std::string& Text)
-{
-	if (Text.find_first_of(",\"\n") == std::string::npos)
-	{
-		return Text;
-	}
-	std::string Quoted = "\"";
-	for (const char Character : Text)
-	{
-		Quoted += Character == '"' ? "\"\"" : std::string(1, Character);
-	}
-	return Quoted + "\"";
-}
-
 std::string ValueText(const FSettingField& Field, const FSettingValue& Value, size_t Component)
 {
 	const bool bNumbers = Field.Type != ESettingType::Bool && Field.Type != ESettingType::Enum &&

@@ -27,8 +27,7 @@ const std::vector<FBlurAlgorithm>& GetBlurAlgorithms()
 const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name)
 {
 	const std::vector<FBlurAlgorithm>& Algorithms = GetBlurAlgorithms();
-	const auto Found = std::find_if(
-		Algorithms.begin(), Algorithms.end(), [&](const FBlurAlgorithm& Algorithm) { return Algorithm.Name == Name; });
+	const auto Found = std::ranges::find(Algorithms, Name, &FBlurAlgorithm::Name);
 	return Found == Algorithms.end() ? nullptr : &*Found;
 }
 

@@ -11,6 +11,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "Text/TextFormat.h"
 #include "TextTools.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,16 +67,14 @@ public:
 
 	FStudy Read(const FJsonValue& Value)
 	{
-		const FJsonValue* Axes = Value.Find("axes");
-		Study.bBlur = Axes != nullptr && std::any_of(Axes->Elements.begin(), Axes->Elements.end(), NamesAlgorithm);
-		if (Axes != nullptr && Axes->Type == EJsonType::Array)
+		const std::vector<FJsonValue>& Axes = Value.GetElements("axes");
+		Study.bBlur = std::ranges::any_of(Axes, NamesAlgorithm);
+		for (const FJsonValue& Axis : Axes)
 		{
-			for (const FJsonValue& Axis : Axes->Elements)
-			{
-				ReadAxis(Axis);
-			}
+			ReadAxis(Axis);
 		}
-		if (Axes != nullptr && Axes->Type == EJsonType::Array && Axes->Elements.empty())
+		const FJsonValue* Given = Value.Find("axes");
+		if (Given != nullptr && Given->Type == EJsonType::Array && Axes.empty())
 		{
 			Messages.Error(ErrorMissingKey, Value, "\"axes\" is missing: a study varies at least one thing");
 		}
@@ -132,16 +131,12 @@ public:
 	}
 
 private:
-	static bool NamesAlgorithm(const FJsonValue& Axis)
-	{
-		const FJsonValue* Name = Axis.Find("name");
-		return Name != nullptr && Name->String == "algorithm";
-	}
+	static bool NamesAlgorithm(const FJsonValue& Axis) { return Axis.GetString("name") == "algorithm"; }
 
 	void CheckIsOneOf(
 		const FJsonValue& At, const std::string& Value, const std::vector<std::string>& Names, const char* What)
 	{
-		if (std::find(Names.begin(), Names.end(), Value) == Names.end())
+		if (std::ranges::find(Names, Value) == Names.end())
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				std::string("there is no ") + What + " \"" + Value + "\": " + JoinText(Names) +
@@ -151,11 +146,7 @@ private:
 
 	void CheckBlurValue(const std::string& Name, const std::string& Text, const FJsonValue& At)
 	{
-		std::vector<std::string> Algorithms;
-		for (const FBlurAlgorithm& Algorithm : GetBlurAlgorithms())
-		{
-			Algorithms.push_back(Algorithm.Name);
-		}
+		auto Algorithms = ToVector<std::string>(GetBlurAlgorithms(), &FBlurAlgorithm::Name);
 		const std::vector<std::string>* Allowed = Name == "algorithm"    ? &Algorithms
 												  : Name == "input"      ? &GInputs
 												  : Name == "storage"    ? &GetBlurStorages()
@@ -203,7 +194,7 @@ private:
 	bool CheckName(const std::string& Name, const FJsonValue& At)
 	{
 		std::vector<std::string> Names = GBlurNames;
-		bool bKnown = std::find(Names.begin(), Names.end(), Name) != Names.end();
+		bool bKnown = std::ranges::find(Names, Name) != Names.end();
 		if (!Study.bBlur)
 		{
 			Names = {"precision", "storage"};
@@ -293,8 +284,8 @@ private:
 		{
 			Axis.bEach = Each->Bool;
 		}
-		const bool bPlain = std::any_of(Values->Elements.begin(), Values->Elements.end(),
-			[](const FJsonValue& Element) { return Element.Type != EJsonType::Object; });
+		const bool bPlain = std::ranges::any_of(
+			Values->Elements, [](const FJsonValue& Element) { return Element.Type != EJsonType::Object; });
 		if (bPlain && !CheckName(Axis.Name, *Name))
 		{
 			return;
@@ -329,19 +320,14 @@ private:
 		}
 		if (Reference->Type == EJsonType::Object && !Study.bBlur)
 		{
-			Study.ReferenceName.clear();
 			for (FStudyAssignment& Assignment : ReadAssignments(*Reference))
 			{
-				Study.Reference.erase(std::remove_if(Study.Reference.begin(), Study.Reference.end(),
-										  [&](const FStudyAssignment& Other) { return Other.Name == Assignment.Name; }),
-					Study.Reference.end());
+				std::erase_if(
+					Study.Reference, [&](const FStudyAssignment& Other) { return Other.Name == Assignment.Name; });
 				Study.Reference.push_back(std::move(Assignment));
 			}
-			for (const FStudyAssignment& Assignment : Study.Reference)
-			{
-				Study.ReferenceName +=
-					(Study.ReferenceName.empty() ? "" : ", ") + Assignment.Name + " " + Assignment.Value;
-			}
+			Study.ReferenceName = JoinText(Study.Reference, ", ",
+				[](const FStudyAssignment& Assignment) { return Assignment.Name + " " + Assignment.Value; });
 		}
 		else if (Reference->Type != EJsonType::String || Reference->String != Study.ReferenceName)
 		{
@@ -354,15 +340,10 @@ private:
 
 	void ReadMetrics(const FJsonValue& Value)
 	{
-		const FJsonValue* Metrics = Value.Find("metrics");
-		if (Metrics != nullptr && Metrics->Type == EJsonType::Array)
+		for (const FJsonValue& Metric : Value.GetElements("metrics"))
 		{
-			for (const FJsonValue& Metric : Metrics->Elements)
+			if (Metric.Type == EJsonType::String) // another type is reported
 			{
-				if (Metric.Type != EJsonType::String)
-				{
-					continue; // reported
-				}
 				CheckIsOneOf(Metric, Metric.String, GetMetricNames(), "metric");
 				Study.Metrics.push_back(Metric.String);
 			}
@@ -394,7 +375,7 @@ private:
 	{
 		const FJsonValue* Region = Value.Find("region");
 		const bool bNumbers = Region != nullptr && Region->Type == EJsonType::Array &&
-							  std::all_of(Region->Elements.begin(), Region->Elements.end(),
+							  std::ranges::all_of(Region->Elements,
 								  [](const FJsonValue& Element) { return Element.Type == EJsonType::Number; });
 		if (!bNumbers || Region->Elements.size() != 4)
 		{

@@ -119,15 +119,10 @@ bool HasRampWithoutThreshold(const FEffectInputs& Inputs)
 std::string FindNoBloomReason(const FEffectInputs& Inputs)
 {
 	const float Intensity = Inputs.Settings.BloomIntensity;
-	if (!Inputs.Conditions.ShowFlags.PostProcessing)
-	{
-		return "ShowFlag.PostProcessing is off";
-	}
-	if (!(Intensity > 0.0f))
-	{
-		return "BloomIntensity is " + NumberText(Intensity) + Inputs.DescribeGate("BloomIntensity");
-	}
-	return IsToonBloomMaskVisualized() ? "r.ToonBloom.VisualizeMask shows the mask in its place" : "";
+	return !Inputs.Conditions.ShowFlags.PostProcessing ? "ShowFlag.PostProcessing is off"
+		   : !(Intensity > 0.0f) ? "BloomIntensity is " + NumberText(Intensity) + Inputs.DescribeGate("BloomIntensity")
+		   : IsToonBloomMaskVisualized() ? "r.ToonBloom.VisualizeMask shows the mask in its place"
+										 : "";
 }
 
 const FEffect GBloomEffect{

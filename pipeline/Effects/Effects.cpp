@@ -57,8 +57,7 @@ FEffectTable GetEffects()
 
 const FEffect* FindEffectByName(std::string_view Name)
 {
-	const auto Found =
-		std::find_if(Table.begin(), Table.end(), [&](const FEffect* Effect) { return *Effect->Name == Name; });
+	const auto Found = std::ranges::find_if(Table, [&](const FEffect* Effect) { return *Effect->Name == Name; });
 	return Found == Table.end() ? nullptr : *Found;
 }
 
@@ -74,8 +73,8 @@ EEffect FEffectDecision::GetId() const
 
 const FEffectDecision* FindEffect(const std::vector<FEffectDecision>& Effects, EEffect Id)
 {
-	const auto Found = std::find_if(
-		Effects.begin(), Effects.end(), [Id](const FEffectDecision& Effect) { return Effect.GetId() == Id; });
+	const auto Found =
+		std::ranges::find_if(Effects, [Id](const FEffectDecision& Effect) { return Effect.GetId() == Id; });
 	return Found == Effects.end() ? nullptr : &*Found;
 }
 
@@ -87,14 +86,14 @@ bool IsEffectActive(const std::vector<FEffectDecision>& Effects, EEffect Id)
 
 bool FEffectInputs::IsNamed(std::string_view Beginning) const
 {
-	return std::any_of(Conditions.NamedSettings.begin(), Conditions.NamedSettings.end(),
-		[&](const std::string& Setting) { return Setting.starts_with(Beginning); });
+	return std::ranges::any_of(
+		Conditions.NamedSettings, [&](const std::string& Setting) { return Setting.starts_with(Beginning); });
 }
 
 std::string FEffectInputs::DescribeGate(std::string_view Beginning) const
 {
-	const auto Found = std::find_if(Conditions.Gates.begin(), Conditions.Gates.end(),
-		[&](const FSettingGate& Gate) { return Gate.Setting.starts_with(Beginning); });
+	const auto Found = std::ranges::find_if(
+		Conditions.Gates, [&](const FSettingGate& Gate) { return Gate.Setting.starts_with(Beginning); });
 	return Found == Conditions.Gates.end() ? "" : ": " + Found->Reason;
 }
 
@@ -199,7 +198,7 @@ FFiguresByEffect MeasureEffects(const std::vector<FEffectDecision>& Effects, con
 		const auto Measure = *Decision.Effect->Measure;
 		const std::span<const char* const> Names = Decision.Effect->Measured;
 		const bool bKept =
-			std::all_of(Names.begin(), Names.end(), [&](const char* Name) { return Inputs.Textures.count(Name) != 0; });
+			std::ranges::all_of(Names, [&](const char* Name) { return Inputs.Textures.count(Name) != 0; });
 		if (Decision.bActive && Measure != nullptr && bKept)
 		{
 			Figures[Decision.GetId()] = Measure(Inputs);
@@ -234,8 +233,7 @@ std::vector<const FEffectDecision*> FindEffectsAt(EChainPlace Place, const std::
 			Found.push_back(&Decision);
 		}
 	}
-	std::stable_sort(Found.begin(), Found.end(),
-		[](const FEffectDecision* A, const FEffectDecision* B)
+	std::ranges::stable_sort(Found, [](const FEffectDecision* A, const FEffectDecision* B)
 		{ return (*A->Effect->GetPlace)().Turn < (*B->Effect->GetPlace)().Turn; });
 	return Found;
 }

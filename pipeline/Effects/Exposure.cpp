@@ -25,15 +25,10 @@ constexpr FSettingClaim ExposureSettings[] = {
 /** Why a config's "auto" is not followed, or nothing. */
 std::string GetObstacle(const FViewConditions& Conditions)
 {
-	if (!Conditions.ShowFlags.PostProcessing)
-	{
-		return "ShowFlag.PostProcessing is off";
-	}
-	if (!Conditions.ShowFlags.EyeAdaptation)
-	{
-		return "ShowFlag.EyeAdaptation is off";
-	}
-	return IsEyeAdaptationAllowed() ? "" : "r.EyeAdaptationQuality is 0";
+	return !Conditions.ShowFlags.PostProcessing  ? "ShowFlag.PostProcessing is off"
+		   : !Conditions.ShowFlags.EyeAdaptation ? "ShowFlag.EyeAdaptation is off"
+		   : IsEyeAdaptationAllowed()            ? ""
+												 : "r.EyeAdaptationQuality is 0";
 }
 
 /** The reason why a requested mask has no effect, or nothing. */
@@ -90,15 +85,7 @@ FEffectDecision DecideExposure(const FEffect&, const FEffectInputs& Inputs)
 
 std::string GetAutoExposureMethodName(EAutoExposureMethod Method)
 {
-	switch (Method)
-	{
-	case AEM_Basic:
-		return "AEM_Basic";
-	case AEM_Manual:
-		return "AEM_Manual";
-	default:
-		return "AEM_Histogram";
-	}
+	return Method == AEM_Basic ? "AEM_Basic" : Method == AEM_Manual ? "AEM_Manual" : "AEM_Histogram";
 }
 
 bool IsAutoExposureActive(const FViewConditions& Conditions)

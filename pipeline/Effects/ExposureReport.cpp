@@ -15,8 +15,7 @@ namespace Drydock
 
 bool FExposureReport::IsMetered() const
 {
-	return !Histogram ||
-		   std::any_of(Histogram->Buckets.begin(), Histogram->Buckets.end(), [](double Share) { return Share > 0.0; });
+	return !Histogram || std::ranges::any_of(Histogram->Buckets, [](double Share) { return Share > 0.0; });
 }
 
 FDiagnostic FExposureReport::DescribeUnmetered(const std::string& View) const

@@ -8,8 +8,8 @@
 #include "RenderGraphBuilder.h"
 #include "RenderTargetPool.h"
 #include "Text/ConfigErrors.h"
+#include "RangeTools.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace Drydock
@@ -73,14 +73,8 @@ FEngineShowFlags MakeShowFlags(const FFrameDesc& Desc)
 		const int32 Index = FEngineShowFlags::FindIndexByName(Name.c_str());
 		if (Index == INDEX_NONE)
 		{
-			std::vector<std::string> Names;
-			for (const FShowFlagInfo& Info : GetShowFlagInfos())
-			{
-				Names.emplace_back(Info.Name);
-			}
-			const std::string Nearest = FindNearestName(Name, Names);
-			Fail(ErrorUnknownShowFlag, "ShowFlags",
-				"unknown show flag " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?"));
+			auto Names = ToVector<std::string>(GetShowFlagInfos(), &FShowFlagInfo::Name);
+			Fail(ErrorUnknownShowFlag, "ShowFlags", "unknown show flag " + Name + SuggestName(Name, Names));
 		}
 		Flags.SetSingleFlag(static_cast<uint32>(Index), Flag.Value);
 	}

@@ -355,14 +355,10 @@ const std::vector<FHazardRow>& FHazardCapture::GetRows() const
 		Passes.begin(), Passes.end(), [this](const std::string& Pass) { return IsPassNamed(Request.Pass, Pass); });
 	const bool bInput = bFits || !Inputs.empty();
 	const std::string& Wanted = bInput ? Request.Input : Request.Pass;
-	const std::string Nearest = FindNearestName(Wanted, bInput ? Inputs : Passes);
 	const std::string Message =
 		bInput ? "the pass reads no picture" + (Wanted.empty() ? std::string() : " '" + Wanted + "'")
 			   : "no pass of this run that a shader draws matches '" + Wanted + "'";
-	throw FError({.Code = ErrorBadArgument,
-					 .Message = Message + (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
-					 .Where = bInput ? "--input" : "--pass"},
-		ExitUsage);
+	throw BadArgument(Message + SuggestName(Wanted, bInput ? Inputs : Passes), bInput ? "--input" : "--pass");
 }
 
 } // namespace Drydock

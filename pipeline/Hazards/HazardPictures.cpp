@@ -62,17 +62,8 @@ FImage WithPixel(FImage Image, int X, int Y, double Value)
 /** Luminance 0 to rounding for the weights (0.3, 0.59, 0.11), and colours that are nearly black. */
 FTexel GetLuminanceZero(int X, int Y)
 {
-	switch ((X + Y) % 4)
-	{
-	case 0:
-		return {0.59, -0.3, 0, 1};
-	case 1:
-		return {-0.11, 0, 0.3, 1};
-	case 2:
-		return {1e-9, 1e-9, 1e-9, 1};
-	default:
-		return {0, 0, 0, 1};
-	}
+	constexpr FTexel Texels[] = {{0.59, -0.3, 0, 1}, {-0.11, 0, 0.3, 1}, {1e-9, 1e-9, 1e-9, 1}, {0, 0, 0, 1}};
+	return Texels[(X + Y) % 4];
 }
 
 /** The whole picture is the hazard. */

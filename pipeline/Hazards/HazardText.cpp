@@ -78,33 +78,21 @@ std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Key("passes").BeginArray();
-	for (const FHazardRow& Row : Rows)
-	{
-		Writer.BeginObject();
-		Writer.Member("pass", Row.Pass);
-		Writer.Member("shader", Row.Shader);
-		Writer.Member("input", Row.Input);
-		Writer.Key("hazards").BeginArray();
-		for (const FHazardFinding& Finding : Row.Findings)
+	Writer.Array("passes", Rows,
+		[&](const FHazardRow& Row)
 		{
-			Writer.BeginObject(true);
-			Writer.Member("hazard", Finding.Hazard);
-			Writer.Member("pixels", Finding.NumPixels);
-			Writer.Member("nan", Finding.NumNaN);
-			Writer.Member("infinite", Finding.NumInfinite);
-			Writer.Member("negative", Finding.NumNegative);
-			Writer.Member("changed", Finding.NumChanged);
-			Writer.Member("reach", Finding.Reach);
-			Writer.Member("least", Finding.Least);
-			Writer.Member("most", Finding.Most);
-			Writer.Member("says", DescribeFinding(Finding));
+			Writer.BeginObject();
+			Writer.Members({{"pass", Row.Pass}, {"shader", Row.Shader}, {"input", Row.Input}});
+			Writer.Array("hazards", Row.Findings,
+				[&](const FHazardFinding& Finding)
+				{
+					Writer.Object({{"hazard", Finding.Hazard}, {"pixels", Finding.NumPixels}, {"nan", Finding.NumNaN},
+						{"infinite", Finding.NumInfinite}, {"negative", Finding.NumNegative},
+						{"changed", Finding.NumChanged}, {"reach", Finding.Reach}, {"least", Finding.Least},
+						{"most", Finding.Most}, {"says", DescribeFinding(Finding)}});
+				});
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -10,6 +10,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -71,7 +72,7 @@ void CheckOutputName(const FImportOptions& Options, bool bSequence)
 /** Frames that the first sequence has; every other has to have them too. */
 std::vector<FImportJob> FindJobs(const FImportOptions& Options)
 {
-	const auto First = std::find_if(Options.Inputs.begin(), Options.Inputs.end(), IsFrameSequence);
+	const auto First = std::ranges::find_if(Options.Inputs, IsFrameSequence);
 	const bool bSequence = First != Options.Inputs.end();
 	CheckOutputName(Options, bSequence);
 	if (!bSequence)
@@ -98,8 +99,7 @@ std::vector<FImportJob> FindJobs(const FImportOptions& Options)
 		{
 			const std::string& Input = Options.Inputs[Index];
 			const std::vector<FSequenceFrame>& Others = AllFrames[Index];
-			const auto Same = std::find_if(Others.begin(), Others.end(),
-				[&Frame](const FSequenceFrame& Other) { return Other.Number == Frame.Number; });
+			const auto Same = std::ranges::find(Others, Frame.Number, &FSequenceFrame::Number);
 			if (IsFrameSequence(Input) && Same == Others.end())
 			{
 				throw MakeFramesError(Input, fmt::format("there is no frame {}, which {} has", Frame.Number, *First));
@@ -149,7 +149,7 @@ bool AreSameLayers(const FImportLayers& A, const FImportLayers& B)
 	const auto IsSame = [](const FImportLayer& One, const FImportLayer& Other)
 	{
 		return One.Name == Other.Name && One.File == Other.File && One.Part == Other.Part &&
-			   std::equal(One.Channels.begin(), One.Channels.end(), Other.Channels.begin(), Other.Channels.end(),
+			   std::ranges::equal(One.Channels, Other.Channels,
 				   [](const FImportChannel& X, const FImportChannel& Y)
 				   { return X.Name == Y.Name && X.Index == Y.Index; });
 	};
@@ -158,8 +158,7 @@ bool AreSameLayers(const FImportLayers& A, const FImportLayers& B)
 		return One.Parts[0].GetFullWidth() == Other.Parts[0].GetFullWidth() &&
 			   One.Parts[0].GetFullHeight() == Other.Parts[0].GetFullHeight();
 	};
-	return std::equal(A.Layers.begin(), A.Layers.end(), B.Layers.begin(), B.Layers.end(), IsSame) &&
-		   std::equal(A.Files.begin(), A.Files.end(), B.Files.begin(), B.Files.end(), IsSameSize);
+	return std::ranges::equal(A.Layers, B.Layers, IsSame) && std::ranges::equal(A.Files, B.Files, IsSameSize);
 }
 
 std::map<std::string, std::string> JoinAttributes(const FImportLayers& Layers)
@@ -174,11 +173,8 @@ std::map<std::string, std::string> JoinAttributes(const FImportLayers& Layers)
 
 void ReportMissing(const FImportScene& Scene, std::vector<FDiagnostic>& Diagnostics)
 {
-	std::string List;
-	for (const std::string& Name : FindMissingChannels(Scene))
-	{
-		List += (List.empty() ? "" : ", ") + Name.substr(0, Name.find('.'));
-	}
+	std::string List = JoinText(
+		FindMissingChannels(Scene), ", ", [&](const std::string& Name) { return Name.substr(0, Name.find('.')); });
 	if (!List.empty())
 	{
 		Diagnostics.push_back({.Severity = ESeverity::Warning,

@@ -114,31 +114,12 @@ std::string MakeCameraJson(const FImportCamera& Camera, int Width, int Height, s
 	const std::array<double, 3> Rotation = Camera.Rotation.value_or(std::array<double, 3>());
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	if (Frame)
-	{
-		Writer.Member("frame", *Frame);
-	}
-	if (Camera.DeltaTime)
-	{
-		Writer.Member("delta_time_s", *Camera.DeltaTime);
-	}
-	Writer.Key("position_uecm").BeginArray(true);
-	for (const double Coordinate : Location)
-	{
-		Writer.Value(Coordinate);
-	}
-	Writer.EndArray();
-	Writer.Key("rotator_ue_deg").BeginObject(true);
-	Writer.Member("pitch", Rotation[0]);
-	Writer.Member("yaw", Rotation[1]);
-	Writer.Member("roll", Rotation[2]);
-	Writer.EndObject();
-	if (Camera.Fov)
-	{
-		Writer.Member("hfov_deg", *Camera.Fov);
-	}
-	Writer.Member("width", Width);
-	Writer.Member("height", Height);
+	Writer.MemberIfAny("frame", Frame);
+	Writer.MemberIfAny("delta_time_s", Camera.DeltaTime);
+	Writer.Member("position_uecm", Location);
+	Writer.Key("rotator_ue_deg").Object({{"pitch", Rotation[0]}, {"yaw", Rotation[1]}, {"roll", Rotation[2]}});
+	Writer.MemberIfAny("hfov_deg", Camera.Fov);
+	Writer.Members({{"width", Width}, {"height", Height}});
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -120,14 +120,14 @@ private:
 		}
 		ConvertPrimaries(Row, Color);
 		std::vector<float> Alpha = Row.Sources[3] ? Planes.Get(*Row.Sources[3]) : std::vector<float>(NumPixels, 1.0f);
-		const bool bNoAlpha = std::all_of(Alpha.begin(), Alpha.end(), [](float Value) { return Value == 0.0f; });
+		const bool bNoAlpha = std::ranges::all_of(Alpha, [](float Value) { return Value == 0.0f; });
 		if (bNoAlpha && Row.Encoding.Alpha == EImportAlpha::Premultiplied)
 		{
 			Note(Row, "alpha is 0 everywhere: 1 is used");
 		}
 		if (bNoAlpha || Row.Encoding.Alpha == EImportAlpha::Opaque)
 		{
-			std::fill(Alpha.begin(), Alpha.end(), 1.0f);
+			std::ranges::fill(Alpha, 1.0f);
 		}
 		for (size_t Index = 0; Index < 3; ++Index)
 		{
@@ -292,8 +292,8 @@ private:
 		for (size_t Pixel = 0; Pixel < NumPixels; ++Pixel)
 		{
 			const int Value = Stencil != nullptr ? static_cast<int>((*Stencil)[Pixel]) : -1;
-			const bool bToon = std::any_of(Choices.Toon.begin(), Choices.Toon.end(),
-				[&](const FImportChoice& Choice) { return IsChosen(Choice, Planes, Pixel, Value); });
+			const bool bToon = std::ranges::any_of(
+				Choices.Toon, [&](const FImportChoice& Choice) { return IsChosen(Choice, Planes, Pixel, Value); });
 			const bool bOpen = Known == nullptr && Depth != nullptr && (*Depth)[Pixel] == NoSurfaceDepth;
 			Ids[Pixel] = bToon ? ToonId : bOpen ? 0.0f : Ids[Pixel];
 			Mask[Pixel] = bToon ? 1.0f : Mask[Pixel];
@@ -321,8 +321,7 @@ private:
 
 const std::vector<float>* FImportScene::Find(const std::string& Name) const
 {
-	const auto Found = std::find_if(
-		Channels.begin(), Channels.end(), [&Name](const FImportChannelPlane& Channel) { return Channel.Name == Name; });
+	const auto Found = std::ranges::find(Channels, Name, &FImportChannelPlane::Name);
 	return Found == Channels.end() ? nullptr : &Found->Values;
 }
 

@@ -94,7 +94,7 @@ std::string DescribeNumbers(const std::vector<float>& Values)
 		{
 			return Text + fmt::format(", ... ({} values)", Distinct.size());
 		}
-		const auto Count = std::count(Values.begin(), Values.end(), Value);
+		const auto Count = std::ranges::count(Values, Value);
 		Text += fmt::format("{}{:g} ({:.1f} %)", Text.empty() ? "" : ", ", Value,
 			GetPercent(static_cast<size_t>(Count), Values.size()));
 	}
@@ -209,8 +209,7 @@ void CheckVelocity(const FImportScene& Scene, const FImportPlanes& Planes, const
 		return static_cast<float>(half(Value)) == Value;
 	};
 	const std::vector<float>& X = Planes.Get(*Row.Sources[0]);
-	if (Row.Encoding.Velocity == EImportVelocity::Unreal && Figures.Greatest > 0.0 &&
-		std::all_of(X.begin(), X.end(), IsHalf))
+	if (Row.Encoding.Velocity == EImportVelocity::Unreal && Figures.Greatest > 0.0 && std::ranges::all_of(X, IsHalf))
 	{
 		constexpr double HalfStep = 1.0 / 2048.0; // between halves from 0.5 on
 		Warn(Diagnostics,
@@ -224,8 +223,8 @@ void CheckNumbers(const FImportPlanes& Planes, const FImportRow& Row, std::vecto
 {
 	constexpr double LargestShare = 0.5; // percent
 	const std::vector<float>& Values = Planes.Get(*Row.Sources[0]);
-	const auto NumOff = static_cast<size_t>(std::count_if(Values.begin(), Values.end(),
-		[](float Value) { return std::isfinite(Value) && std::abs(Value - std::round(Value)) > 0.01f; }));
+	const auto NumOff = static_cast<size_t>(std::ranges::count_if(
+		Values, [](float Value) { return std::isfinite(Value) && std::abs(Value - std::round(Value)) > 0.01f; }));
 	if (GetPercent(NumOff, Values.size()) > LargestShare)
 	{
 		Warn(Diagnostics,

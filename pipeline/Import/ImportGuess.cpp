@@ -351,15 +351,10 @@ EImportOrigin FindImportOrigin(const FImportLayers& Layers, size_t File)
 		return Hint.starts_with("ViewLayer") || Hint.starts_with("View Layer") || Hint.starts_with("RenderLayer") ||
 			   Hint.starts_with("Scene.");
 	};
-	if (HasAttribute("drydock:"))
-	{
-		return EImportOrigin::Drydock;
-	}
-	if (HasAttribute("unreal/") || HasLayer(IsUnreal))
-	{
-		return EImportOrigin::Unreal;
-	}
-	return HasAttribute("BlenderMultiChannel") || HasLayer(IsBlender) ? EImportOrigin::Blender : EImportOrigin::Plain;
+	return HasAttribute("drydock:")                                     ? EImportOrigin::Drydock
+		   : HasAttribute("unreal/") || HasLayer(IsUnreal)              ? EImportOrigin::Unreal
+		   : HasAttribute("BlenderMultiChannel") || HasLayer(IsBlender) ? EImportOrigin::Blender
+																		: EImportOrigin::Plain;
 }
 
 FImportPlan GuessImport(const FImportLayers& Layers, const FImportAsked& Asked, std::vector<FDiagnostic>& Diagnostics)

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <string_view>
 
 namespace Drydock
 {
@@ -36,14 +35,14 @@ bool IsUnrealLayer(const std::string& Layer)
 
 size_t FindUnprintable(const std::string& Text)
 {
-	const auto Found = std::find_if(
-		Text.begin(), Text.end(), [](unsigned char Character) { return Character < 0x20 || Character >= 0x7F; });
+	const auto Found =
+		std::ranges::find_if(Text, [](unsigned char Character) { return Character < 0x20 || Character >= 0x7F; });
 	return static_cast<size_t>(Found - Text.begin());
 }
 
 FImportLayer& FindOrAddLayer(FImportLayers& Read, size_t File, int Part, const std::string& Name)
 {
-	const auto Found = std::find_if(Read.Layers.begin(), Read.Layers.end(),
+	const auto Found = std::ranges::find_if(Read.Layers,
 		[&](const FImportLayer& Layer) { return Layer.File == File && Layer.Part == Part && Layer.Name == Name; });
 	if (Found != Read.Layers.end())
 	{
@@ -89,8 +88,7 @@ void SortChannels(FImportLayer& Layer)
 			Channel.Slot = Channel.Slot == 1 ? 0 : Channel.Slot;
 		}
 	}
-	std::stable_sort(Layer.Channels.begin(), Layer.Channels.end(),
-		[](const FImportChannel& A, const FImportChannel& B) { return A.Slot < B.Slot; });
+	std::ranges::stable_sort(Layer.Channels, {}, &FImportChannel::Slot);
 	Layer.Channels.erase(std::unique(Layer.Channels.begin(), Layer.Channels.end(),
 							 [](const FImportChannel& A, const FImportChannel& B) { return A.Slot == B.Slot; }),
 		Layer.Channels.end());
@@ -100,9 +98,8 @@ void SortChannels(FImportLayer& Layer)
 std::string GetLabel(const FImportLayers& Read, size_t File)
 {
 	const Files::path Path = Read.Files[File].Path;
-	const bool bTwice =
-		std::count_if(Read.Files.begin(), Read.Files.end(),
-			[&Path](const FImportFile& Other) { return Files::path(Other.Path).filename() == Path.filename(); }) > 1;
+	const bool bTwice = std::ranges::count_if(Read.Files, [&Path](const FImportFile& Other)
+							{ return Files::path(Other.Path).filename() == Path.filename(); }) > 1;
 	return bTwice ? (Path.parent_path().filename() / Path.filename()).string() : Path.filename().string();
 }
 
@@ -121,8 +118,7 @@ std::string GetHint(const FImportLayers& Read, size_t File)
 
 const FImportChannel* FImportLayer::Find(int Slot) const
 {
-	const auto Found = std::find_if(
-		Channels.begin(), Channels.end(), [Slot](const FImportChannel& Channel) { return Channel.Slot == Slot; });
+	const auto Found = std::ranges::find(Channels, Slot, &FImportChannel::Slot);
 	return Found == Channels.end() ? nullptr : &*Found;
 }
 

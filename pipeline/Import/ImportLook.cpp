@@ -43,8 +43,7 @@ bool AreHalved(const FImportRow& Row, const FImportPlanes& Planes)
 	{
 		Normal[Axis] = &Planes.Get(*Row.Sources[Axis]);
 	}
-	const bool bSigned = std::any_of(Normal.begin(), Normal.end(),
-		[](const std::vector<float>* Plane)
+	const bool bSigned = std::ranges::any_of(Normal, [](const std::vector<float>* Plane)
 		{ return std::any_of(Plane->begin(), Plane->end(), [](float Value) { return Value < -0.01f; }); });
 	return !bSigned && GetLengthError(Normal, 2.0, -1.0) < GetLengthError(Normal, 1.0, 0.0);
 }
@@ -52,8 +51,7 @@ bool AreHalved(const FImportRow& Row, const FImportPlanes& Planes)
 /** Part of the values that lie within a range. */
 double GetShareWithin(const std::vector<float>& Plane, float Least, float Greatest)
 {
-	const auto Count =
-		std::count_if(Plane.begin(), Plane.end(), [=](float Value) { return Value >= Least && Value <= Greatest; });
+	const auto Count = std::ranges::count_if(Plane, [=](float Value) { return Value >= Least && Value <= Greatest; });
 	return Plane.empty() ? 0.0 : static_cast<double>(Count) / static_cast<double>(Plane.size());
 }
 
@@ -61,7 +59,7 @@ double GetShareWithin(const std::vector<float>& Plane, float Least, float Greate
  */
 bool AreAroundHalf(const FImportRow& Row, const FImportPlanes& Planes)
 {
-	return std::all_of(Row.Sources.begin(), Row.Sources.end(),
+	return std::ranges::all_of(Row.Sources,
 		[&Planes](const std::optional<FImportSource>& Source)
 		{
 			const std::vector<float>& Plane = Planes.Get(*Source);

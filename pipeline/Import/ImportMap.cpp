@@ -80,9 +80,8 @@ bool FImportMaps::IsSpokenFor(size_t Layer) const
 	{
 		return Named.second == Layer;
 	};
-	return None.count(Layer) > 0 || std::any_of(Groups.begin(), Groups.end(), IsIts) ||
-		   std::any_of(
-			   Channels.begin(), Channels.end(), [Layer](const auto& Named) { return Named.second.Layer == Layer; });
+	return None.count(Layer) > 0 || std::ranges::any_of(Groups, IsIts) ||
+		   std::ranges::any_of(Channels, [Layer](const auto& Named) { return Named.second.Layer == Layer; });
 }
 
 bool FImportMaps::Apply(const FImportTarget& Target, const FImportLayers& Layers,
@@ -108,7 +107,7 @@ bool FImportMaps::Apply(const FImportTarget& Target, const FImportLayers& Layers
 			Missing += (Missing.empty() ? "" : ", ") + Target.Channels[Index];
 		}
 	}
-	const bool bAny = std::any_of(Asked.begin(), Asked.end(), [](const auto& Source) { return Source.has_value(); });
+	const bool bAny = std::ranges::any_of(Asked, [](const auto& Source) { return Source.has_value(); });
 	if (!bAny)
 	{
 		return false;
@@ -146,7 +145,7 @@ FImportMaps ReadImportMaps(
 			continue;
 		}
 		const std::vector<std::string> Known = GetRightNames();
-		if (std::find(Known.begin(), Known.end(), Right) == Known.end())
+		if (std::ranges::find(Known, Right) == Known.end())
 		{
 			Errors.push_back(MakeMapError(Text, "a scene has no channel \"" + Right + "\"" + Suggest(Right, Known)));
 			continue;

@@ -203,8 +203,7 @@ FImportChoices ChooseImportObjects(
 bool IsChosen(const FImportChoice& Choice, const FImportPlanes& Planes, size_t Pixel, int StencilValue)
 {
 	return Choice.StencilValues.count(StencilValue) > 0 ||
-		   std::any_of(Choice.Objects.begin(), Choice.Objects.end(),
-			   [&](const auto& Objects)
+		   std::ranges::any_of(Choice.Objects, [&](const auto& Objects)
 			   { return Objects.second.count(std::bit_cast<uint32_t>(Planes.Get(Objects.first)[Pixel])) > 0; });
 }
 

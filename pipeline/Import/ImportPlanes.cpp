@@ -5,6 +5,7 @@
 #include "Picture/ImageFile.h"
 #include "Picture/ImagePlane.h"
 #include "Text/Fmt.inl"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,11 +129,7 @@ FImportPlanes ReadImportPlanes(const FImportLayers& Layers, const FImportPlan& P
 			std::vector<FWanted> Wanted;
 			std::copy_if(AllWanted.begin(), AllWanted.end(), std::back_inserter(Wanted),
 				[&](const FWanted& One) { return File.bEncoded ? One.bColor == bColor : bColor; });
-			std::vector<int> Indices;
-			for (const FWanted& One : Wanted)
-			{
-				Indices.push_back(One.Channel->Index);
-			}
+			auto Indices = ToVector<int>(Wanted, [&](const FWanted& One) { return One.Channel->Index; });
 			FImageFile Image(File.Path);
 			std::vector<FImagePlane> Values =
 				bColor && Where.second == 0 ? Image.ReadPlanes(Indices) : Image.ReadPart(Where.second, Indices);

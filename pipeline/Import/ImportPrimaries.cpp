@@ -132,9 +132,8 @@ FColorMatrix MakeAdaptation(const FColor& From, const FColor& To)
 std::optional<FColorMatrix> MakeRec709Matrix(const std::vector<float>& Chromaticities)
 {
 	const std::vector<float>& Rec709 = GetRec709();
-	const bool bUsable =
-		Chromaticities.size() == 8 && Chromaticities[7] > 0.0f &&
-		std::all_of(Chromaticities.begin(), Chromaticities.end(), [](float Value) { return std::isfinite(Value); });
+	const bool bUsable = Chromaticities.size() == 8 && Chromaticities[7] > 0.0f &&
+						 std::ranges::all_of(Chromaticities, [](float Value) { return std::isfinite(Value); });
 	const bool bSame = bUsable && std::equal(Chromaticities.begin(), Chromaticities.end(), Rec709.begin(),
 									  [](float A, float B) { return std::abs(A - B) <= 0.001f; });
 	const std::optional<FColorMatrix> ToXyz = bUsable && !bSame ? MakeToXyz(Chromaticities) : std::nullopt;

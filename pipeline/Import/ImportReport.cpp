@@ -203,43 +203,27 @@ std::string FormatImportJson(const FImportStory& Story)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("width", Story.Scene.Width);
-	Writer.Member("height", Story.Scene.Height);
-	Writer.Key("channels").BeginArray();
-	for (const FTableRow& Row : MakeRows(Story))
-	{
-		Writer.BeginObject();
-		Writer.Member("channels", Row.Channels);
-		Writer.Member("from", Row.From);
-		Writer.Member("as", Row.As);
-		Writer.Member("holds", Row.Figures);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("leftOut").BeginArray();
-	for (const FImportLeftOut& LeftOut : Story.Plan.LeftOut)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("layer", Story.Layers.Layers[LeftOut.Layer].Label);
-		Writer.Member("why", LeftOut.Why);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("missing").BeginArray(true);
-	for (const std::string& Name : FindMissingChannels(Story.Scene))
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
-	Writer.Key("objects").BeginArray();
-	for (const FImportMatte& Matte : Story.Mattes)
-	{
-		for (const auto& [Name, Id] : Matte.Objects)
+	Writer.Members({{"width", Story.Scene.Width}, {"height", Story.Scene.Height}});
+	Writer.Array("channels", MakeRows(Story),
+		[&](const FTableRow& Row)
 		{
-			Writer.Value(Name);
-		}
-	}
-	Writer.EndArray();
+			Writer.BeginObject();
+			Writer.Members({{"channels", Row.Channels}, {"from", Row.From}, {"as", Row.As}, {"holds", Row.Figures}});
+			Writer.EndObject();
+		});
+	Writer.Array("leftOut", Story.Plan.LeftOut,
+		[&](const FImportLeftOut& LeftOut) {
+			Writer.Object({{"layer", Story.Layers.Layers[LeftOut.Layer].Label}, {"why", LeftOut.Why}});
+		});
+	Writer.Member("missing", FindMissingChannels(Story.Scene));
+	Writer.Array("objects", Story.Mattes,
+		[&](const FImportMatte& Matte)
+		{
+			for (const auto& [Name, Id] : Matte.Objects)
+			{
+				Writer.Value(Name);
+			}
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -150,7 +150,7 @@ int GetFit(const FImportNameRule& Rule, std::string_view Name, std::string_view 
 	}
 	if (Rule.bWord)
 	{
-		return std::find(Words.begin(), Words.end(), Keyword) != Words.end() ? 2 : 0;
+		return std::ranges::find(Words, Keyword) != Words.end() ? 2 : 0;
 	}
 	constexpr size_t LongEnough = 5; // shorter ones are parts of other words
 	return Name.ends_with(Keyword)                                                            ? 2
@@ -186,8 +186,7 @@ const std::vector<FImportTarget>& GetImportTargets()
 const FImportTarget* FindImportTarget(const std::string& Group)
 {
 	const std::vector<FImportTarget>& Targets = GetImportTargets();
-	const auto Found = std::find_if(
-		Targets.begin(), Targets.end(), [&Group](const FImportTarget& Target) { return Target.Group == Group; });
+	const auto Found = std::ranges::find(Targets, Group, &FImportTarget::Group);
 	return Found == Targets.end() ? nullptr : &*Found;
 }
 

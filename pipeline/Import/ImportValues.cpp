@@ -15,17 +15,11 @@ namespace
 double GetDistance(double Value, const FImportEncoding& Encoding)
 {
 	const double Metres = GetMetres(Encoding.Unit);
-	switch (Encoding.Depth)
-	{
-	case EImportDepth::Inverse:
-		return Metres / Value;
-	case EImportDepth::Device:
-		return 0.01 * SceneNearPlane / Value;
-	case EImportDepth::Mist:
-		return Value < 1.0 ? Encoding.Mist.Start + Value * Encoding.Mist.Depth : HUGE_VAL;
-	default:
-		return Value * Metres;
-	}
+	return Encoding.Depth == EImportDepth::Inverse  ? Metres / Value
+		   : Encoding.Depth == EImportDepth::Device ? 0.01 * SceneNearPlane / Value
+		   : Encoding.Depth != EImportDepth::Mist   ? Value * Metres
+		   : Value < 1.0                            ? Encoding.Mist.Start + Value * Encoding.Mist.Depth
+													: HUGE_VAL;
 }
 
 std::array<double, 3> TurnToWorld(

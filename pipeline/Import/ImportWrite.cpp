@@ -6,6 +6,7 @@
 #include "Text/AsideFile.h"
 #include "Text/JsonWriter.h"
 #include "Text/Version.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -120,11 +121,8 @@ std::string MakeImportConfig(
 			Defaults += (Defaults.empty() ? "" : ", ") + FJsonWriter::Quote(Name) + ": " + Value;
 		}
 	}
-	std::string From;
-	for (const std::string& Input : Inputs)
-	{
-		From += (From.empty() ? "" : ", ") + Files::path(Input).filename().string();
-	}
+	std::string From =
+		JoinText(Inputs, ", ", [&](const std::string& Input) { return Files::path(Input).filename().string(); });
 	std::string Text = "// Toon bloom on a frame of your own: " + ForComment(From) + ". drydock run " +
 					   ForComment(Files::path(GetImportConfigPath(SceneFile)).filename().string()) + "\n{\n";
 	Text += "  \"$schema\": \"" + std::string(ImportSchemaName) + "\",\n\n";

@@ -33,12 +33,7 @@ FCheckSet MakeCheckSet(const std::vector<std::string>& Names)
 		}
 		if (!bKnown)
 		{
-			const std::string Nearest = FindNearestName(Name, GetCheckNames());
-			throw FError({.Code = ErrorBadArgument,
-							 .Message = "there is no check '" + Name + "'" +
-										(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
-							 .Where = "--check"},
-				ExitUsage);
+			throw BadArgument("there is no check '" + Name + "'" + SuggestName(Name, GetCheckNames()), "--check");
 		}
 	}
 	return Set;

@@ -136,12 +136,9 @@ std::vector<FDiagnostic> FDebugCapture::GetDiagnostics() const
 	std::vector<FDiagnostic> Diagnostics = Problems;
 	if (Passes.empty() && Problems.empty())
 	{
-		throw FError(
-			{.Code = ErrorBadArgument,
-				.Message = "no pass of this run draws that pixel with a shader that matches '" + Request.Passes +
-						   "'. There are: " + JoinText(std::set<std::string>(Others.begin(), Others.end())),
-				.Where = "--debug-shaders"},
-			ExitUsage);
+		throw BadArgument("no pass of this run draws that pixel with a shader that matches '" + Request.Passes +
+							  "'. There are: " + JoinText(std::set<std::string>(Others.begin(), Others.end())),
+			"--debug-shaders");
 	}
 	if (!IsBeingDebugged())
 	{
@@ -177,11 +174,9 @@ FDebugRequest MakeDebugRequest(const std::string& Pixel, const std::string& Pass
 	if (!bGood || Count < 2 || !bInside)
 	{
 		const std::string Size = std::to_string(Frame[0]) + " x " + std::to_string(Frame[1]);
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "'" + Pixel + "' is not a pixel of the frame, which is " + Size +
-									"; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
-						 .Where = "--debug-shaders"},
-			ExitUsage);
+		throw BadArgument("'" + Pixel + "' is not a pixel of the frame, which is " + Size +
+							  "; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
+			"--debug-shaders");
 	}
 	return Request;
 }

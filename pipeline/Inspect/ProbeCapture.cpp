@@ -45,8 +45,7 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 			{
 				continue;
 			}
-			auto Read = std::find_if(
-				Reads.begin(), Reads.end(), [&Event](const FProbeRead& Known) { return Known.Texture == Event.Name; });
+			auto Read = std::ranges::find(Reads, Event.Name, &FProbeRead::Texture);
 			if (Read == Reads.end())
 			{
 				Read = Reads.insert(Reads.end(), FProbeRead());
@@ -69,8 +68,8 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 				{
 					return std::tuple(T.Mip, T.Z, T.Y, T.X);
 				};
-				const auto Known = std::find_if(Read->Texels.begin(), Read->Texels.end(),
-					[&](const FFootprintTexel& Other) { return Key(Other) == Key(Texel); });
+				const auto Known = std::ranges::find_if(
+					Read->Texels, [&](const FFootprintTexel& Other) { return Key(Other) == Key(Texel); });
 				if (Known == Read->Texels.end())
 				{
 					Read->Texels.push_back(Texel);

@@ -6,6 +6,8 @@
 #include "Text/JsonWriter.h"
 
 #include <algorithm>
+#include <functional>
+#include <ranges>
 
 namespace Drydock
 {
@@ -35,8 +37,7 @@ std::string FormatTexel(const std::string& Name, const FProbeTexel& Texel, const
 std::string FormatReads(const FProbeRead& Read, const FProbeRequest& Request)
 {
 	std::vector<FFootprintTexel> Texels = Read.Texels;
-	std::stable_sort(Texels.begin(), Texels.end(),
-		[](const FFootprintTexel& A, const FFootprintTexel& B) { return A.Weight > B.Weight; });
+	std::ranges::stable_sort(Texels, std::greater(), &FFootprintTexel::Weight);
 	const std::string Size =
 		Read.Size == Request.Frame ? std::string() : fmt::format(" of {} x {}", Read.Size[0], Read.Size[1]);
 	std::string Text = (Read.AtPixel ? FormatTexel(Read.Texture, *Read.AtPixel, Size) : Read.Texture) + ": ";
@@ -58,67 +59,43 @@ std::string FormatWrite(const FProbeWrite& Write)
 
 void WriteTexel(FJsonWriter& Writer, const FProbeTexel& Texel)
 {
-	Writer.Member("format", Texel.Format);
-	Writer.Member("x", Texel.X);
-	Writer.Member("y", Texel.Y);
-	Writer.Key("value").BeginArray(true);
-	for (int c = 0; c < Texel.NumChannels; ++c)
-	{
-		Writer.Value(Texel.Value[size_t(c)]);
-	}
-	Writer.EndArray();
+	Writer.Members({{"format", Texel.Format}, {"x", Texel.X}, {"y", Texel.Y},
+		{"value", Texel.Value | std::views::take(Texel.NumChannels)}});
 }
 
 void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 {
 	Writer.BeginObject();
-	Writer.Member("pass", Pass.Pass);
-	Writer.Member("shader", Pass.Shader);
-	Writer.Member("drawn", Pass.bDrawn);
-	Writer.Key("reads").BeginArray();
-	for (const FProbeRead& Read : Pass.Reads)
-	{
-		Writer.BeginObject();
-		Writer.Member("texture", Read.Texture);
-		if (Read.AtPixel)
+	Writer.Members({{"pass", Pass.Pass}, {"shader", Pass.Shader}, {"drawn", Pass.bDrawn}});
+	Writer.Array("reads", Pass.Reads,
+		[&](const FProbeRead& Read)
 		{
-			Writer.Key("atPixel").BeginObject(true);
-			Writer.Member("width", Read.Size[0]);
-			Writer.Member("height", Read.Size[1]);
-			WriteTexel(Writer, *Read.AtPixel);
+			Writer.BeginObject();
+			Writer.Member("texture", Read.Texture);
+			if (Read.AtPixel)
+			{
+				Writer.Key("atPixel").BeginObject(true);
+				Writer.Members({{"width", Read.Size[0]}, {"height", Read.Size[1]}});
+				WriteTexel(Writer, *Read.AtPixel);
+				Writer.EndObject();
+			}
+			Writer.Member("reads", Read.NumReads);
+			Writer.Array("texels", Read.Texels,
+				[&](const FFootprintTexel& Texel)
+				{
+					Writer.Object({{"x", Texel.X}, {"y", Texel.Y}, {"z", Texel.Z}, {"mip", Texel.Mip},
+						{"weight", Texel.Weight}, {"value", Texel.Value}});
+				});
 			Writer.EndObject();
-		}
-		Writer.Member("reads", Read.NumReads);
-		Writer.Key("texels").BeginArray();
-		for (const FFootprintTexel& Texel : Read.Texels)
+		});
+	Writer.Array("writes", Pass.Writes,
+		[&](const FProbeWrite& Write)
 		{
 			Writer.BeginObject(true);
-			Writer.Member("x", Texel.X);
-			Writer.Member("y", Texel.Y);
-			Writer.Member("z", Texel.Z);
-			Writer.Member("mip", Texel.Mip);
-			Writer.Member("weight", Texel.Weight);
-			Writer.Key("value").BeginArray(true);
-			for (const double Value : Texel.Value)
-			{
-				Writer.Value(Value);
-			}
-			Writer.EndArray();
+			Writer.Member("target", Write.Target);
+			WriteTexel(Writer, Write);
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("writes").BeginArray();
-	for (const FProbeWrite& Write : Pass.Writes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("target", Write.Target);
-		WriteTexel(Writer, Write);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 	Writer.EndObject();
 }
 
@@ -172,28 +149,18 @@ std::string MakeProbeJson(
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("x", Request.X);
-	Writer.Member("y", Request.Y);
-	Writer.Member("width", Request.Width);
-	Writer.Member("height", Request.Height);
+	Writer.Members({{"x", Request.X}, {"y", Request.Y}, {"width", Request.Width}, {"height", Request.Height}});
 	for (const auto& [Key, List] : {std::pair("passes", &Passes), std::pair("against", &Against)})
 	{
-		Writer.Key(Key).BeginArray();
-		for (const FProbePass& Pass : *List)
-		{
-			WritePass(Writer, Pass);
-		}
-		Writer.EndArray();
+		Writer.Array(Key, *List, [&](const FProbePass& Pass) { WritePass(Writer, Pass); });
 	}
 	const std::optional<FProbeDifference> Difference =
 		Against.empty() ? std::optional<FProbeDifference>() : FindDifference(Passes, Against);
 	if (Difference)
 	{
-		Writer.Key("firstDifference").BeginObject(true);
-		Writer.Member("pass", uint64_t(Difference->Pass));
-		Writer.Member("write", uint64_t(Difference->Write));
-		Writer.Member("otherPasses", Difference->bOtherPasses);
-		Writer.EndObject();
+		Writer.Key("firstDifference")
+			.Object({{"pass", uint64_t(Difference->Pass)}, {"write", uint64_t(Difference->Write)},
+				{"otherPasses", Difference->bOtherPasses}});
 	}
 	Writer.EndObject();
 	return Writer.GetText();

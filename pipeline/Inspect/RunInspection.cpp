@@ -172,9 +172,9 @@ std::string FRunInspection::WriteCosts(const std::filesystem::path& Folder, int 
 			}
 			return fmt::format("{:.1f}", Counts.empty() ? 0.0 : Sum / double(Counts.size()));
 		};
-		const auto Least = std::min_element(Map.Operations.begin(), Map.Operations.end());
-		const auto Most = std::max_element(Map.Operations.begin(), Map.Operations.end());
-		const auto MostTaps = std::max_element(Map.Taps.begin(), Map.Taps.end());
+		const auto Least = std::ranges::min_element(Map.Operations);
+		const auto Most = std::ranges::max_element(Map.Operations);
+		const auto MostTaps = std::ranges::max_element(Map.Taps);
 		const bool bAny = !Map.Operations.empty();
 		Rows.push_back({Cost.Pass, Mean(Map.Taps), bAny ? std::to_string(*MostTaps) : "0", Mean(Map.Operations),
 			bAny ? std::to_string(*Least) : "0", bAny ? std::to_string(*Most) : "0", Name + ".png"});
@@ -196,8 +196,7 @@ std::string FRunInspection::WriteCoverage(const std::filesystem::path& Folder) c
 		{
 			continue;
 		}
-		const auto NumRun =
-			std::count_if(Counts.begin(), Counts.end(), [](const auto& Entry) { return Entry.second.Threads != 0; });
+		const auto NumRun = std::ranges::count_if(Counts, [](const auto& Entry) { return Entry.second.Threads != 0; });
 		Text += fmt::format("{}: {} of {} lines ran\n", GetFileName(File), NumRun, Counts.size());
 		for (const auto& [Line, Count] : Counts)
 		{

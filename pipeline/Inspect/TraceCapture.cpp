@@ -6,6 +6,7 @@
 #include "Sandbox.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,11 +116,8 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 	else
 	{
 		// Behind the first word of a pass's name stands mostly its size.
-		std::vector<std::string> Words;
-		for (const std::string& Name : Passes)
-		{
-			Words.push_back(Name.substr(0, Name.find(' ')));
-		}
+		auto Words =
+			ToVector<std::string>(Passes, [&](const std::string& Name) { return Name.substr(0, Name.find(' ')); });
 		const std::string Nearest = FindNearestName(Request.Pass, Words);
 		Message = "no pass of this run that a shader draws is called '" + Request.Pass + "'" +
 				  (Nearest.empty() ? std::string(".") : "; did you mean '" + Nearest + "'?") + " There are";
@@ -129,8 +127,7 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 			Message += (Name == *Names.begin() ? ": " : ", ") + Name;
 		}
 	}
-	throw FError(
-		{.Code = ErrorBadArgument, .Message = Message, .Where = Outside.empty() ? "--pass" : "--pixel"}, ExitUsage);
+	throw BadArgument(Message, Outside.empty() ? "--pass" : "--pixel");
 }
 
 std::optional<FTraceDifference> FindDifference(const FPixelTrace& Float, const FPixelTrace& Double, double Bound)

@@ -3,6 +3,7 @@
 
 #include "OperationText.h"
 #include "Text/Fmt.inl"
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -54,12 +55,7 @@ std::string Format(const FSpirvModule& Module, uint32_t TypeId, const FTraceValu
 
 std::string FormatList(const std::vector<double>& Values)
 {
-	std::string Text;
-	for (const double Value : Values)
-	{
-		Text += (Text.empty() ? "" : ", ") + FormatReal(Value);
-	}
-	return Text;
+	return JoinText(Values, ", ", [&](const double Value) { return FormatReal(Value); });
 }
 
 std::string FormatTexels(const FTraceEvent& Event)
@@ -91,11 +87,7 @@ std::string DescribeEvent(const FSpirvModule& Module, const FTraceEvent& Event)
 	case ETraceEvent::Load:
 	case ETraceEvent::Store:
 	{
-		std::string At;
-		for (const int64_t Index : Event.Texel)
-		{
-			At += (At.empty() ? "" : ", ") + std::to_string(Index);
-		}
+		std::string At = JoinText(Event.Texel, ", ", [&](const int64_t Index) { return std::to_string(Index); });
 		return fmt::format("{} {}[{}] = {}", Event.Kind == ETraceEvent::Load ? "load" : "store", Event.Name, At, Value);
 	}
 	case ETraceEvent::Branch:

@@ -87,9 +87,8 @@ std::vector<FBuildStep> MergeBuildSteps(const std::vector<FBuildStep>& Before, c
 {
 	std::vector<FBuildStep> Merged;
 	std::copy_if(Before.begin(), Before.end(), std::back_inserter(Merged),
-		[&Now](const FBuildStep& Old) {
-			return std::none_of(Now.begin(), Now.end(), [&Old](const FBuildStep& New) { return New.Name == Old.Name; });
-		});
+		[&Now](const FBuildStep& Old)
+		{ return std::ranges::none_of(Now, [&Old](const FBuildStep& New) { return New.Name == Old.Name; }); });
 	Merged.insert(Merged.end(), Now.begin(), Now.end());
 	return Merged;
 }
@@ -107,7 +106,7 @@ std::vector<FMatrixMessage> ReadCompilerMessages(
 			continue;
 		}
 		Message->File = GetPathFrom(Message->File, Folder);
-		if (std::find(Messages.begin(), Messages.end(), *Message) == Messages.end())
+		if (std::ranges::find(Messages, *Message) == Messages.end())
 		{
 			Messages.push_back(*Message);
 		}

@@ -19,8 +19,7 @@ class FVersionGroups
 public:
 	void Add(const std::string& Text, int Minor)
 	{
-		const auto Known = std::find_if(
-			Groups.begin(), Groups.end(), [&Text](const FVersionGroup& Group) { return Group.Text == Text; });
+		const auto Known = std::ranges::find(Groups, Text, &FVersionGroup::Text);
 		if (Known == Groups.end())
 		{
 			Groups.push_back({Text, {Minor}});

@@ -7,6 +7,8 @@
 
 #include "Diagnostics.h"
 
+#include <array>
+
 namespace Drydock
 {
 
@@ -15,20 +17,8 @@ namespace
 
 void WriteMessage(FJsonWriter& Writer, const FMatrixMessage& Message)
 {
-	Writer.BeginObject(true);
-	if (Message.Code > 0)
-	{
-		Writer.Member("code", FormatCode(Message.Code));
-	}
-	else
-	{
-		Writer.Key("code").Null();
-	}
-	Writer.Member("file", Message.File);
-	Writer.Member("line", Message.Line);
-	Writer.Member("where", Message.Where);
-	Writer.Member("text", Message.Text);
-	Writer.EndObject();
+	Writer.Object({{"code", Message.Code > 0 ? std::optional(FormatCode(Message.Code)) : std::nullopt},
+		{"file", Message.File}, {"line", Message.Line}, {"where", Message.Where}, {"text", Message.Text}});
 }
 
 void WriteFirstError(FJsonWriter& Writer, const std::optional<FMatrixMessage>& Error)
@@ -44,28 +34,17 @@ void WriteFirstError(FJsonWriter& Writer, const std::optional<FMatrixMessage>& E
 
 void WriteMessages(FJsonWriter& Writer, const char* Key, const std::vector<FMatrixMessage>& Messages)
 {
-	Writer.Key(Key).BeginArray();
-	for (const FMatrixMessage& Message : Messages)
-	{
-		WriteMessage(Writer, Message);
-	}
-	Writer.EndArray();
+	Writer.Array(Key, Messages, [&](const FMatrixMessage& Message) { WriteMessage(Writer, Message); });
 }
 
 void WriteTexts(FJsonWriter& Writer, const char* Key, const std::vector<std::string>& Texts)
 {
-	Writer.Key(Key).BeginArray();
-	for (const std::string& Text : Texts)
-	{
-		Writer.Value(Text);
-	}
-	Writer.EndArray();
+	Writer.Array(Key, Texts, [&](const std::string& Text) { Writer.Value(Text); });
 }
 
-void WriteVersion(FJsonWriter& Writer, const char* Key, const std::optional<int>& Minor)
+std::optional<std::string> DescribeOptional(const std::optional<int>& Minor)
 {
-	Writer.Key(Key);
-	Minor ? Writer.Value(DescribeVersion(*Minor)) : Writer.Null();
+	return Minor ? std::optional(DescribeVersion(*Minor)) : std::nullopt;
 }
 
 void WriteRun(FJsonWriter& Writer, const std::optional<FMatrixRun>& Run)
@@ -78,8 +57,7 @@ void WriteRun(FJsonWriter& Writer, const std::optional<FMatrixRun>& Run)
 	}
 	Writer.BeginObject();
 	Writer.Member("exitCode", Run->ExitCode);
-	Writer.Key("end");
-	Run->Ran() ? Writer.Null() : Writer.Value(DescribeEnd(*Run));
+	Writer.Member("end", Run->Ran() ? std::nullopt : std::optional(DescribeEnd(*Run)));
 	WriteFirstError(Writer, Run->FirstError);
 	WriteMessages(Writer, "warnings", Run->Warnings);
 	WriteTexts(Writer, "extensions", Run->Extensions);
@@ -96,42 +74,31 @@ void WritePicture(FJsonWriter& Writer, const std::optional<FMatrixPicture>& Pict
 		return;
 	}
 	Writer.BeginObject();
-	Writer.Member("fingerprint", Picture->Fingerprint);
-	WriteVersion(Writer, "before", Picture->Before);
-	Writer.Key("same");
-	Picture->Before ? Writer.Value(!Picture->Difference) : Writer.Null();
+	Writer.Members({{"fingerprint", Picture->Fingerprint}, {"before", DescribeOptional(Picture->Before)},
+		{"same", Picture->Before ? std::optional(!Picture->Difference) : std::nullopt}});
 	if (Picture->Difference && !Picture->Difference->bOtherSize)
 	{
-		Writer.Member("max", Picture->Difference->Max);
-		Writer.Member("pixels", Picture->Difference->NumPixels);
-		Writer.Key("first").BeginArray(true);
-		Writer.Value(Picture->Difference->X);
-		Writer.Value(Picture->Difference->Y);
-		Writer.EndArray();
+		Writer.Members({{"max", Picture->Difference->Max}, {"pixels", Picture->Difference->NumPixels},
+			{"first", std::array{Picture->Difference->X, Picture->Difference->Y}}});
 	}
-	WriteVersion(Writer, "sameAs", Picture->SameAs);
+	Writer.Member("sameAs", DescribeOptional(Picture->SameAs));
 	Writer.EndObject();
 }
 
 void WriteRow(FJsonWriter& Writer, const FMatrixRow& Row)
 {
 	Writer.BeginObject();
-	Writer.Member("engine", DescribeVersion(Row.Minor));
-	Writer.Member("builds", Row.Build.bBuilt);
+	Writer.Members({{"engine", DescribeVersion(Row.Minor)}, {"builds", Row.Build.bBuilt}});
 	WriteFirstError(Writer, Row.Build.FirstError);
 	WriteMessages(Writer, "compilerWarnings", Row.Build.Warnings);
 	WriteTexts(Writer, "notes", Row.Build.Notes);
-	Writer.Member("library", Row.Build.Library);
-	Writer.Member("log", Row.Build.Log);
+	Writer.Members({{"library", Row.Build.Library}, {"log", Row.Build.Log}});
 	WriteRun(Writer, Row.Run);
 	WritePicture(Writer, Row.Picture);
 	Writer.Key("firstDifference");
 	if (Row.FirstDifference)
 	{
-		Writer.BeginObject(true);
-		Writer.Member("pass", Row.FirstDifference->Pass);
-		Writer.Member("what", Row.FirstDifference->What);
-		Writer.EndObject();
+		Writer.Object({{"pass", Row.FirstDifference->Pass}, {"what", Row.FirstDifference->What}});
 	}
 	else
 	{
@@ -146,15 +113,8 @@ std::string MakeMatrixJson(const FVersionMatrix& Matrix)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("plugin", Matrix.Name);
-	Writer.Member("folder", Matrix.Folder);
-	Writer.Member("config", Matrix.Config);
-	Writer.Key("versions").BeginArray();
-	for (const FMatrixRow& Row : Matrix.Rows)
-	{
-		WriteRow(Writer, Row);
-	}
-	Writer.EndArray();
+	Writer.Members({{"plugin", Matrix.Name}, {"folder", Matrix.Folder}, {"config", Matrix.Config}});
+	Writer.Array("versions", Matrix.Rows, [&](const FMatrixRow& Row) { WriteRow(Writer, Row); });
 	Writer.Member("summary", SummarizeMatrix(Matrix));
 	WriteTexts(Writer, "advice", AdviseOnMatrix(Matrix));
 	Writer.Member("passed", GetMatrixExitCode(Matrix) == ExitDone);

@@ -17,8 +17,7 @@ namespace
 template<typename T>
 T& FindOrAdd(std::vector<T>& Things, const std::string& Name)
 {
-	const auto Found =
-		std::find_if(Things.begin(), Things.end(), [&](const T& Each) { return IsSameName(Each.Name, Name); });
+	const auto Found = std::ranges::find_if(Things, [&](const T& Each) { return IsSameName(Each.Name, Name); });
 	return Found != Things.end() ? *Found : Things.emplace_back(T{Name, {}});
 }
 
@@ -137,7 +136,7 @@ private:
 		switch (Command)
 		{
 		case '+':
-			if (std::none_of(Values.begin(), Values.end(), Same))
+			if (std::ranges::none_of(Values, Same))
 			{
 				Values.push_back(Value);
 			}

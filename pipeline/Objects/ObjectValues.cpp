@@ -69,10 +69,8 @@ FPropertyValue MakeValue(const FJsonValue& Json)
 
 bool ContainsInvalid(const FJsonValue& Value)
 {
-	return Value.Type == EJsonType::Invalid ||
-		   std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid) ||
-		   std::any_of(Value.Members.begin(), Value.Members.end(),
-			   [](const FJsonMember& Member) { return ContainsInvalid(Member.Value); });
+	return Value.Type == EJsonType::Invalid || std::ranges::any_of(Value.Elements, ContainsInvalid) ||
+		   std::ranges::any_of(Value.Members, [](const FJsonMember& Member) { return ContainsInvalid(Member.Value); });
 }
 
 /** The value that a path ("/Colors/2") leads to from Value on. */
@@ -107,7 +105,7 @@ FPluginFolders FindPluginFolders(const std::string& Library)
 		{
 			Found.Names.emplace_back(*Plugin->GetName());
 			const std::string Folder = *Plugin->GetBaseDir();
-			if (std::find(Found.Folders.begin(), Found.Folders.end(), Folder) == Found.Folders.end())
+			if (std::ranges::find(Found.Folders, Folder) == Found.Folders.end())
 			{
 				Found.Folders.push_back(Folder);
 			}
@@ -158,18 +156,17 @@ public:
 			return; // of code that reads it by itself
 		}
 		const std::string Module = Section.Name.substr(8, Dot - 8);
-		if (std::none_of(ModuleNames.begin(), ModuleNames.end(),
-				[&](const std::string& Name) { return IsSameName(Name, Module); }))
+		if (std::ranges::none_of(ModuleNames, [&](const std::string& Name) { return IsSameName(Name, Module); }))
 		{
 			return; // of another plugin or the engine
 		}
-		const auto Class = std::find_if(Classes.begin(), Classes.end(),
-			[&](const FReflectedStruct* Each) { return IsNameOf(Section.Name.substr(Dot + 1), *Each); });
+		const auto Class = std::ranges::find_if(
+			Classes, [&](const FReflectedStruct* Each) { return IsNameOf(Section.Name.substr(Dot + 1), *Each); });
 		if (Class == Classes.end())
 		{
 			std::vector<std::string> Names;
-			std::transform(Classes.begin(), Classes.end(), std::back_inserter(Names),
-				[](const FReflectedStruct* Each) { return Each->Name + 1; });
+			std::ranges::transform(
+				Classes, std::back_inserter(Names), [](const FReflectedStruct* Each) { return Each->Name + 1; });
 			Warn(GetLine(Section), "the plugin has no class " + Section.Name.substr(Dot + 1) +
 									   Suggest(Section.Name.substr(Dot + 1), Names));
 			return;
@@ -373,7 +370,7 @@ void FObjectValues::PlaceActors(const std::string& Library) const
 {
 	for (const FReflectedStruct* const Class : FReflection::Get().FindClasses(Library))
 	{
-		const bool bNamed = std::any_of(Config.Objects.Members.begin(), Config.Objects.Members.end(),
+		const bool bNamed = std::ranges::any_of(Config.Objects.Members,
 			[Class](const FJsonMember& Object) { return IsNameOf(GetClassName(Object.Key), *Class); });
 		if (bNamed && Class->Place)
 		{

@@ -4,6 +4,7 @@
 #include "Math/ToInteger.h"
 #include "Picture/Srgb.h"
 #include "Picture/StrokeText.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <array>
@@ -244,16 +245,11 @@ FImage ScalePicture(const FImage& Picture, int Width)
 
 FImage MakeContactSheet(const std::vector<FSheetTile>& Tiles, const FSheetOptions& Options)
 {
-	std::vector<FImage> Bodies;
-	for (const FSheetTile& Tile : Tiles)
-	{
-		Bodies.push_back(MakeBody(Tile.Picture, Options));
-	}
+	auto Bodies = ToVector<FImage>(Tiles, [&](const FSheetTile& Tile) { return MakeBody(Tile.Picture, Options); });
 	const int NumTiles = static_cast<int>(Tiles.size());
 	const int NumColumns =
 		std::min(std::max(1, NumTiles), Options.Columns > 0 ? Options.Columns : ChooseColumns(Tiles.size()));
-	const bool bCaptions =
-		std::any_of(Tiles.begin(), Tiles.end(), [](const FSheetTile& Tile) { return !Tile.Caption.empty(); });
+	const bool bCaptions = std::ranges::any_of(Tiles, [](const FSheetTile& Tile) { return !Tile.Caption.empty(); });
 
 	std::vector<int> Tops = {Gap};
 	for (int First = 0; First < NumTiles; First += NumColumns)

@@ -160,8 +160,7 @@ bool ReadPart(FHeaderBytes& Bytes, FPart& Part)
 		{
 			Bytes.Fail(fmt::format("is truncated or corrupt: its attribute \"{}\" says {} bytes", Name, Size));
 		}
-		const auto Fixed = std::find_if(
-			FixedTypes.begin(), FixedTypes.end(), [&Type](const FFixedType& Known) { return Known.Name == Type; });
+		const auto Fixed = std::ranges::find(FixedTypes, Type, &FFixedType::Name);
 		const bool bFits = Fixed != FixedTypes.end() ? Size == Fixed->Size
 						   : Type == "floatvector"   ? Size % 4 == 0
 						   : Type == "stringvector"  ? IsStringVector(Bytes, End)

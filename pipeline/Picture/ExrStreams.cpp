@@ -5,7 +5,6 @@
 
 #include <OpenEXR/ImfThreading.h>
 
-#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <mutex>

@@ -325,7 +325,7 @@ const std::vector<std::string>& GetImageExtensions()
 bool IsImagePath(const std::string& Path)
 {
 	const std::vector<std::string>& Known = GetImageExtensions();
-	return std::find(Known.begin(), Known.end(), GetExtension(Path)) != Known.end();
+	return std::ranges::find(Known, GetExtension(Path)) != Known.end();
 }
 
 std::string CheckImageHeader(const std::string& Path, FHeaderBytes& Bytes)
@@ -333,17 +333,16 @@ std::string CheckImageHeader(const std::string& Path, FHeaderBytes& Bytes)
 	const std::string Extension = GetExtension(Path);
 	const std::string First = Bytes.Peek(18);
 	const std::vector<FImageFormat>& Formats = GetFormats();
-	const auto Format = std::find_if(Formats.begin(), Formats.end(),
-		[&](const FImageFormat& Known)
-		{ return std::find(Known.Extensions.begin(), Known.Extensions.end(), Extension) != Known.Extensions.end(); });
+	const auto Format = std::ranges::find_if(Formats, [&](const FImageFormat& Known)
+		{ return std::ranges::find(Known.Extensions, Extension) != Known.Extensions.end(); });
 	if (Format == Formats.end())
 	{
 		Bytes.Fail("is of a format that is not read: the end of its name is none of " + JoinText(GetImageExtensions()));
 	}
 	if (!Format->Begins(First))
 	{
-		const auto Real = std::find_if(Formats.begin(), Formats.end(),
-			[&](const FImageFormat& Known) { return !Known.Firsts.empty() && Known.Begins(First); });
+		const auto Real = std::ranges::find_if(
+			Formats, [&](const FImageFormat& Known) { return !Known.Firsts.empty() && Known.Begins(First); });
 		Bytes.Fail(std::string("cannot be read: by its name it is ") + Format->Name + ", by its first bytes " +
 				   (Real == Formats.end() ? "it is not" : Real->Name));
 	}

@@ -7,7 +7,6 @@
 #include <array>
 #include <csetjmp>
 #include <cstring>
-#include <new>
 #include <png.h>
 #include <vector>
 #include <zlib.h>

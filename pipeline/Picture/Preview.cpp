@@ -40,11 +40,11 @@ FColor ToLinear(FColor Color, EDisplayOutputFormat OutputDevice)
 	switch (OutputDevice)
 	{
 	case EDisplayOutputFormat::SDR_Rec709:
-		std::transform(Color.begin(), Color.end(), Color.begin(), DecodeRec709);
+		std::ranges::transform(Color, Color.begin(), DecodeRec709);
 		return Color;
 	case EDisplayOutputFormat::HDR_ACES_1000nit_ST2084:
 	case EDisplayOutputFormat::HDR_ACES_2000nit_ST2084:
-		std::transform(Color.begin(), Color.end(), Color.begin(), DecodeST2084);
+		std::ranges::transform(Color, Color.begin(), DecodeST2084);
 		return Rec2020ToRec709(Color);
 	case EDisplayOutputFormat::HDR_ACES_1000nit_ScRGB:
 	case EDisplayOutputFormat::HDR_ACES_2000nit_ScRGB:
@@ -90,7 +90,7 @@ void WritePreview(const std::string& Path, const TPicture& Picture)
 	for (int Y = 0; Y < Picture.Height && bDisplayRange; ++Y)
 	{
 		ReadRow(Picture, Y, Row.data());
-		bDisplayRange = std::all_of(Row.begin(), Row.end(), IsInDisplayRange);
+		bDisplayRange = std::ranges::all_of(Row, IsInDisplayRange);
 	}
 	const size_t NumShown = NumChannels == 1 ? 1 : 3; // PNG has no colour of two channels
 	WritePngRows(Path, Picture.Width, Picture.Height, static_cast<int>(NumShown), EPngEffort::Quick,
@@ -118,8 +118,7 @@ std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisp
 		return Color;
 	}
 	FColor Shown = ToLinear(Color, OutputDevice);
-	std::transform(Shown.begin(), Shown.end(), Shown.begin(),
-		[](double Value) { return EncodeSrgb(std::clamp(Value, 0.0, 1.0)); });
+	std::ranges::transform(Shown, Shown.begin(), [](double Value) { return EncodeSrgb(std::clamp(Value, 0.0, 1.0)); });
 	return Shown;
 }
 
@@ -135,7 +134,7 @@ void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayO
 			{
 				const FColor Shown = MakeDisplayColor(
 					{double(Row[Pixel]), double(Row[Pixel + 1]), double(Row[Pixel + 2])}, OutputDevice);
-				Bytes = std::transform(Shown.begin(), Shown.end(), Bytes, ToByte);
+				Bytes = std::ranges::transform(Shown, Bytes, ToByte).out;
 			}
 		});
 }

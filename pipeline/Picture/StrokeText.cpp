@@ -2,6 +2,7 @@
 #include "Picture/StrokeText.h"
 
 #include "Math/ToInteger.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -186,12 +187,7 @@ const FGlyph& GetGlyph(char Letter)
 {
 	static const std::vector<FGlyph> Glyphs = []
 	{
-		std::vector<FGlyph> All;
-		for (const FGlyphText& Text : GlyphTexts)
-		{
-			All.push_back(ParseGlyph(Text));
-		}
-		return All;
+		return ToVector<FGlyph>(GlyphTexts, [&](const FGlyphText& Text) { return ParseGlyph(Text); });
 	}();
 	return Glyphs[static_cast<size_t>(Letter - FirstLetter)];
 }

@@ -3,8 +3,6 @@
 
 #include "Picture/Picture.h"
 
-#include <algorithm>
-
 namespace Drydock
 {
 

@@ -182,9 +182,7 @@ FVerbOption FVerbOption::RequireOneOf(const std::vector<std::string>& Words) con
 		{
 			return std::string();
 		}
-		const std::string Nearest = FindNearestName(Word, Words);
-		return '"' + Word + "\" is not one of " + JoinText(Words) +
-			   (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+		return '"' + Word + "\" is not one of " + JoinText(Words) + SuggestName(Word, Words);
 	};
 	return FVerbOption(Option->check(Explain)->type_name(JoinText(Words, "|")));
 }

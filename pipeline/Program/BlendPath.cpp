@@ -13,8 +13,9 @@
 #include "Text/TextFile.h"
 #include "Text/TextTable.h"
 #include "TextTools.h"
+#include "RangeTools.h"
 
-#include <cstdio>
+#include <array>
 #include <filesystem>
 
 namespace Drydock
@@ -50,12 +51,7 @@ std::string MakeWalkSummary(const FSettingsWalk& Walk, const std::string& MarkNa
 
 std::vector<std::string> GetNames(const FSettingsWalk& Walk)
 {
-	std::vector<std::string> Names;
-	for (const size_t Index : Walk.Settings)
-	{
-		Names.emplace_back(GetSettingFields()[Index].Name);
-	}
-	return Names;
+	return ToVector<std::string>(Walk.Settings, [&](const size_t Index) { return GetSettingFields()[Index].Name; });
 }
 
 std::string ListSettings(const FSettingsWalk& Walk)
@@ -69,39 +65,26 @@ std::string MakeWalkJson(const FSettingsWalk& Walk, const std::string& Csv, cons
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("csv", Csv);
-	Writer.Member("svg", Svg);
-	Writer.Key("settings").BeginArray(true);
-	for (const std::string& Name : GetNames(Walk))
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
-	Writer.Key("points").BeginArray();
-	for (const FWalkSample& Sample : Walk.Samples)
-	{
-		if (Sample.Point < 0)
+	Writer.Members({{"csv", Csv}, {"svg", Svg}, {"settings", GetNames(Walk)}});
+	Writer.Array("points", Walk.Samples,
+		[&](const FWalkSample& Sample)
 		{
-			continue;
-		}
-		Writer.BeginObject(true);
-		Writer.Member("point", Walk.Points[static_cast<size_t>(Sample.Point)].Label);
-		Writer.Member("distance", Sample.Distance);
-		Writer.Key("location").BeginArray(true);
-		for (const double Coordinate : {Sample.Location.X, Sample.Location.Y, Sample.Location.Z})
-		{
-			Writer.Value(Coordinate);
-		}
-		Writer.EndArray();
-		Writer.Key("weights").BeginObject(true);
-		for (size_t Volume = 0; Volume < Walk.Volumes.size(); ++Volume)
-		{
-			Writer.Member(Walk.Volumes[Volume], Sample.Weights[Volume]);
-		}
-		Writer.EndObject();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			if (Sample.Point < 0)
+			{
+				return;
+			}
+			Writer.BeginObject(true);
+			Writer.Members(
+				{{"point", Walk.Points[static_cast<size_t>(Sample.Point)].Label}, {"distance", Sample.Distance},
+					{"location", std::array{Sample.Location.X, Sample.Location.Y, Sample.Location.Z}}});
+			Writer.Key("weights").BeginObject(true);
+			for (size_t Volume = 0; Volume < Walk.Volumes.size(); ++Volume)
+			{
+				Writer.Member(Walk.Volumes[Volume], Sample.Weights[Volume]);
+			}
+			Writer.EndObject();
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

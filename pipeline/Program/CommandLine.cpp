@@ -10,6 +10,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/Terminal.h"
 #include "Text/Version.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -34,8 +35,7 @@ std::string JoinNames(const std::vector<std::string>& Names)
 
 std::string ExplainUnknown(const char* Kind, const std::string& Name, const std::vector<std::string>& Candidates)
 {
-	const std::string Nearest = FindNearestName(Name, Candidates);
-	return std::string("there is no ") + Kind + " " + Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?");
+	return std::string("there is no ") + Kind + " " + Name + SuggestName(Name, Candidates);
 }
 
 /** The mistake in the arguments, in one sentence, with the nearest verb or option for a misspelt one. */
@@ -59,11 +59,7 @@ std::string ExplainMistake(
 		}
 		Chosen = FindVerb(Program, (Chosen->Name.empty() ? "" : Chosen->Name + " ") + Arguments[Level]);
 	}
-	std::vector<std::string> Options;
-	for (const FOptionModel& Option : Chosen->Options)
-	{
-		Options.push_back(Option.GetName());
-	}
+	auto Options = ToVector<std::string>(Chosen->Options, [&](const FOptionModel& Option) { return Option.GetName(); });
 	for (const std::string& Argument : Arguments)
 	{
 		const std::string Name = Argument.substr(0, Argument.find('='));

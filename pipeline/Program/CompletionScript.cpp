@@ -12,6 +12,13 @@ namespace Drydock
 namespace
 {
 
+constexpr const char* BashScript =
+#include "Completion.bash.txt"
+	;
+constexpr const char* ZshScript =
+#include "Completion.zsh.txt"
+	;
+
 enum class EValue
 {
 	Nothing, // a number, a name that is new
@@ -61,31 +68,24 @@ std::vector<std::string> GetOptionNames(const FVerbModel& Verb)
 	return Names;
 }
 
-/** A command of the bash script that fills COMPREPLY. */
+/** The command that completes a value without a list of words: in bash it fills COMPREPLY. */
+std::string GetCommand(const FVerbModel& Verb, const FOptionModel& Option, bool bZsh)
+{
+	// In the order of EValue.
+	constexpr const char* Commands[][2] = {{":", " "}, {"", ""}, {"_drydock_files json", "_files -g \"*.json(-.)\""},
+		{"_drydock_folders", "_files -/"}, {"_drydock_files ''", "_files"},
+		{"_drydock_names cvars =", "_drydock_names cvars ="}, {"_drydock_names settings", "_drydock_names settings"},
+		{"_drydock_names effects", "_drydock_names effects"}, {"_drydock_passes", "_drydock_passes"}};
+	const EValue Value = GetValue(Verb, Option);
+	const bool bAssigned = Value == EValue::Setting && Option.Type == "SETTING=VALUE";
+	return Commands[size_t(Value)][bZsh] + std::string(bAssigned ? " =" : "");
+}
+
 std::string MakeBashValue(const FVerbModel& Verb, const FOptionModel& Option)
 {
-	switch (GetValue(Verb, Option))
-	{
-	case EValue::Words:
-		return (Option.bList ? "_drydock_list '" : "_drydock_words '") + JoinText(Option.Words, " ") + "'";
-	case EValue::Config:
-		return "_drydock_files json";
-	case EValue::Folder:
-		return "_drydock_folders";
-	case EValue::File:
-		return "_drydock_files ''";
-	case EValue::Variable:
-		return "_drydock_names cvars =";
-	case EValue::Setting:
-		return std::string("_drydock_names settings") + (Option.Type == "SETTING=VALUE" ? " =" : "");
-	case EValue::Effect:
-		return "_drydock_names effects";
-	case EValue::Pass:
-		return "_drydock_passes";
-	case EValue::Nothing:
-		break;
-	}
-	return ":";
+	return Option.Words.empty()
+			   ? GetCommand(Verb, Option, false)
+			   : (Option.bList ? "_drydock_list '" : "_drydock_words '") + JoinText(Option.Words, " ") + "'";
 }
 
 /** Uses only the first argument that can be completed: if there are two, both are files. */
@@ -137,29 +137,10 @@ std::string EscapeZsh(const std::string& Text)
 
 std::string MakeZshValue(const FVerbModel& Verb, const FOptionModel& Option)
 {
-	switch (GetValue(Verb, Option))
-	{
-	case EValue::Words:
-		return Option.bList ? "_values -s , word " + JoinText(Option.Words, " ")
-							: "(" + JoinText(Option.Words, " ") + ")";
-	case EValue::Config:
-		return "_files -g \"*.json(-.)\"";
-	case EValue::Folder:
-		return "_files -/";
-	case EValue::File:
-		return "_files";
-	case EValue::Variable:
-		return "_drydock_names cvars =";
-	case EValue::Setting:
-		return std::string("_drydock_names settings") + (Option.Type == "SETTING=VALUE" ? " =" : "");
-	case EValue::Effect:
-		return "_drydock_names effects";
-	case EValue::Pass:
-		return "_drydock_passes";
-	case EValue::Nothing:
-		break;
-	}
-	return " ";
+	const std::string Words = JoinText(Option.Words, " ");
+	return Option.Words.empty() ? GetCommand(Verb, Option, true)
+		   : Option.bList       ? "_values -s , word " + Words
+								: "(" + Words + ")";
 }
 
 /** Specs of _arguments, one a line. */
@@ -223,123 +204,34 @@ std::string ListUpperVerbs(const FProgramModel& Model)
 	return JoinText(Names, " | ");
 }
 
+/** The script with its two marks replaced. */
+std::string FillIn(std::string Script, const std::string& Upper, const std::string& Verbs)
+{
+	Script.replace(Script.find("@upper@"), 7, Upper);
+	return Script.replace(Script.find("@verbs@"), 7, Verbs);
+}
+
 } // namespace
 
 std::string MakeBashCompletion(const FProgramModel& Model)
 {
-	std::string Text = R"sh(# Completes drydock's command line in bash. Made by `drydock completion bash`.
-
-_drydock_words() {
-	mapfile -t COMPREPLY < <(compgen -W "$1" -- "$now")
-}
-
-# Words with commas between them; those before the last comma stay.
-_drydock_list() {
-	local head=
-	[[ $now == *,* ]] && head=${now%,*},
-	mapfile -t COMPREPLY < <(compgen -P "$head" -W "$1" -- "${now##*,}")
-}
-
-_drydock_folders() {
-	compopt -o filenames 2> /dev/null
-	mapfile -t COMPREPLY < <(compgen -d -- "$now")
-}
-
-# Folders, and files that end in .$1, or any where it is empty.
-_drydock_files() {
-	compopt -o filenames 2> /dev/null
-	mapfile -t COMPREPLY < <(compgen -d -- "$now"; compgen -f -X "!*${1:+.$1}" -- "$now" | while IFS= read -r file; do
-		[[ -d $file ]] || printf '%s\n' "$file"
-	done)
-}
-
-# What the program lists, "list $1", with $2 behind each name.
-_drydock_names() {
-	[[ ${2:-} != = ]] || compopt -o nospace 2> /dev/null
-	mapfile -t COMPREPLY < <(compgen -S "${2:-}" -W "$("${COMP_WORDS[0]}" list "$1" --names 2> /dev/null)" -- "$now")
-}
-
-# Passes of the config on the line.
-_drydock_passes() {
-	[[ -n $config ]] || return
-	mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" list passes --config "$config" --names 2> /dev/null)" -- "$now")
-}
-
-_drydock() {
-	local now=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} verb= config= at=1 word
-	COMPREPLY=()
-	# An = is a word of its own: in --report=full both sides of it belong together.
-	if [[ $now == = ]]; then
-		now=
-	elif [[ $before == = && COMP_CWORD -gt 2 ]]; then
-		before=${COMP_WORDS[COMP_CWORD - 2]}
-		[[ $before == --* ]] || return
-	fi
-	for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-		if [[ $at == 1 && $word != -* ]]; then
-			verb=$word
-			at=2
-)sh";
 	const std::string Upper = ListUpperVerbs(Model);
-	if (!Upper.empty())
-	{
-		Text += "\t\telif [[ $at == 2 && $word != -* ]]; then\n\t\t\tcase $verb in " + Upper +
-				") verb+=\" $word\" ;; esac\n\t\t\tat=3\n";
-	}
-	Text += R"sh(		fi
-		[[ $word == *.json ]] && config=$word
-	done
-	case $verb in
-)sh";
-	for (const FVerbModel& Verb : Model)
-	{
-		Text += MakeBashVerb(Verb);
-	}
-	return Text + "\tesac\n}\n\ncomplete -F _drydock drydock\n";
+	const std::string Case = Upper.empty() ? ""
+										   : "\t\telif [[ $at == 2 && $word != -* ]]; then\n\t\t\tcase $verb in " +
+												 Upper + ") verb+=\" $word\" ;; esac\n\t\t\tat=3\n";
+	return FillIn(BashScript, Case, JoinText(Model, "", MakeBashVerb));
 }
 
 std::string MakeZshCompletion(const FProgramModel& Model)
 {
-	std::string Text = R"sh(#compdef drydock
-# Completes drydock's command line in zsh. Made by `drydock completion zsh`.
-
-# What the program lists, "list $1", with $2 behind each name.
-_drydock_names() {
-	local -a names=(${(f)"$($drydock list $1 --names 2> /dev/null)"})
-	compadd -S "${2:- }" -a names
-}
-
-# Passes of the config on the line.
-_drydock_passes() {
-	local config=${${(M)words:#*.json}[1]}
-	[[ -n $config ]] || return 1
-	local -a names=(${(f)"$($drydock list passes --config $config --names 2> /dev/null)"})
-	compadd -a names
-}
-
-_drydock() {
-	local drydock=$words[1] verb=
-	if (( CURRENT > 2 )) && [[ $words[2] != -* ]]; then
-		verb=$words[2]
-		shift words
-		(( CURRENT-- ))
-)sh";
 	const std::string Upper = ListUpperVerbs(Model);
-	if (!Upper.empty())
-	{
-		Text += "\t\tif [[ $verb == (" + Upper + R"sh() ]] && (( CURRENT > 2 )) && [[ $words[2] != -* ]]; then
-			verb+=" $words[2]"
-			shift words
-			(( CURRENT-- ))
-		fi
-)sh";
-	}
-	Text += "\tfi\n\tcase $verb in\n";
-	for (const FVerbModel& Verb : Model)
-	{
-		Text += MakeZshVerb(Model, Verb);
-	}
-	return Text + "\tesac\n}\n\n_drydock \"$@\"\n";
+	const std::string Case = Upper.empty()
+								 ? ""
+								 : "\t\tif [[ $verb == (" + Upper +
+									   ") ]] && (( CURRENT > 2 )) && [[ $words[2] != -* ]]; then\n\t\t\tverb+=\" "
+									   "$words[2]\"\n\t\t\tshift words\n\t\t\t(( CURRENT-- ))\n\t\tfi\n";
+	return FillIn(
+		ZshScript, Case, JoinText(Model, "", [&](const FVerbModel& Verb) { return MakeZshVerb(Model, Verb); }));
 }
 
 } // namespace Drydock

@@ -9,6 +9,7 @@
 #include "Run/PassValues.h"
 #include "Run/Run.h"
 #include "TextTools.h"
+#include "RangeTools.h"
 
 namespace Drydock
 {
@@ -79,11 +80,8 @@ FListTable ListPasses()
 	FListTable Table{{"pass", "reads", "parameters", "what it does"}, {}, "", {{ETextColumn::Name}, {}, {}, {}}};
 	for (const FPassFactory* Factory : GetPassFactories())
 	{
-		std::vector<std::string> Inputs;
-		for (const FPassInputSpec& Input : Factory->Inputs)
-		{
-			Inputs.push_back(Input.Name + (Input.Default.empty() ? " (to be given)" : " = " + Input.Default));
-		}
+		auto Inputs = ToVector<std::string>(Factory->Inputs, [&](const FPassInputSpec& Input)
+			{ return Input.Name + (Input.Default.empty() ? " (to be given)" : " = " + Input.Default); });
 		std::vector<std::string> Parameters;
 		for (const FParameterSpec& Spec : Factory->Parameters)
 		{

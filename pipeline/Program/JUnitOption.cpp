@@ -4,6 +4,7 @@
 #include "DiagnosticList.h"
 #include "Program/ArgumentParser.h"
 #include "Program/ProgramFailure.h"
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -29,11 +30,8 @@ int CallWithJUnit(const std::string& File, const std::string& SuiteName, const s
 	catch (...)
 	{
 		const FError Error = ExplainFailure(std::current_exception());
-		std::string Message;
-		for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Error.GetDiagnostics()))
-		{
-			Message += (Message.empty() ? "" : "\n") + Diagnostic.ToString();
-		}
+		std::string Message = JoinText(SummarizeDiagnostics(Error.GetDiagnostics()), "\n",
+			[&](const FDiagnostic& Diagnostic) { return Diagnostic.ToString(); });
 		Suite.Cases.push_back({.Name = "runs", .Outcome = EJUnitOutcome::Broken, .Message = Message});
 		WriteJUnit(File, {Suite});
 		throw;

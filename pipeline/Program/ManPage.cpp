@@ -2,6 +2,7 @@
 #include "Program/ManPage.h"
 
 #include "Text/Version.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -26,11 +27,8 @@ std::string Escape(const std::string& Text)
 /** "--frames LIST", bold and italic. */
 std::string MakeTag(const FOptionModel& Option)
 {
-	std::string Text;
-	for (const std::string& Name : Option.Names)
-	{
-		Text += std::string(Text.empty() ? "" : ", ") + (Option.bPositional ? "\\fI" : "\\fB") + Escape(Name) + "\\fR";
-	}
+	std::string Text = JoinText(Option.Names, ", ",
+		[&](const std::string& Name) { return (Option.bPositional ? "\\fI" : "\\fB") + Escape(Name) + "\\fR"; });
 	const bool bValue = !Option.bPositional && !Option.Type.empty();
 	const std::string Type = "\\fI" + Escape(Option.Type) + "\\fR";
 	return Text + (!bValue ? "" : Option.bValueOptional ? " [" + Type + "]" : " " + Type);
@@ -124,16 +122,15 @@ std::string MakeManPage(const FProgramModel& Model)
 			Verbs.push_back(&Verb);
 		}
 	}
-	std::stable_sort(
-		Verbs.begin(), Verbs.end(), [](const FVerbModel* A, const FVerbModel* B) { return A->Group < B->Group; });
+	std::ranges::stable_sort(Verbs, [](const FVerbModel* A, const FVerbModel* B) { return A->Group < B->Group; });
 	const FVerbModel* Last = nullptr;
 	for (const FVerbModel* const Verb : Verbs)
 	{
 		if (Last == nullptr || Last->Group != Verb->Group)
 		{
 			std::string Heading = ToString(Verb->Group);
-			std::transform(Heading.begin(), Heading.end(), Heading.begin(),
-				[](unsigned char Letter) { return static_cast<char>(std::toupper(Letter)); });
+			std::ranges::transform(
+				Heading, Heading.begin(), [](unsigned char Letter) { return static_cast<char>(std::toupper(Letter)); });
 			Text += ".SH VERBS: " + Heading + "\n";
 		}
 		Text += MakeVerb(*Verb);

@@ -31,8 +31,7 @@ std::vector<double> ParseNumbers(
 	}
 	if (Numbers.size() < Least || Numbers.size() > Most)
 	{
-		throw FError({.Code = ErrorBadArgument, .Message = "\"" + Text + "\": expected " + Expected, .Where = Option},
-			ExitUsage);
+		throw BadArgument("\"" + Text + "\": expected " + Expected, Option);
 	}
 	return Numbers;
 }

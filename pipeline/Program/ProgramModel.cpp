@@ -47,8 +47,7 @@ void AddGroupsAndWords(FProgramModel& Model)
 
 const FVerbModel* FindVerb(const FProgramModel& Model, const std::string& Name)
 {
-	const auto Found =
-		std::find_if(Model.begin(), Model.end(), [&Name](const FVerbModel& Verb) { return Verb.Name == Name; });
+	const auto Found = std::ranges::find(Model, Name, &FVerbModel::Name);
 	return Found == Model.end() ? nullptr : &*Found;
 }
 

@@ -61,18 +61,14 @@ void WriteDiagnostics(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagn
 	for (const FDiagnostic& Diagnostic : Diagnostics)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("severity", Diagnostic.Severity == ESeverity::Error     ? "error"
-								  : Diagnostic.Severity == ESeverity::Warning ? "warning"
-																			  : "note");
-		Writer.Member("code", FormatCode(Diagnostic.Code));
-		Writer.Member("text", Diagnostic.Message);
-		Writer.Member("file", Diagnostic.File);
-		Writer.Member("line", Diagnostic.Line);
-		Writer.Member("column", Diagnostic.Column);
+		Writer.Members({{"severity", Diagnostic.Severity == ESeverity::Error     ? "error"
+									 : Diagnostic.Severity == ESeverity::Warning ? "warning"
+																				 : "note"},
+			{"code", FormatCode(Diagnostic.Code)}, {"text", Diagnostic.Message}, {"file", Diagnostic.File},
+			{"line", Diagnostic.Line}, {"column", Diagnostic.Column}});
 		const bool bPointer = Diagnostic.Where.starts_with('/');
-		Writer.Member("pointer", bPointer ? Diagnostic.Where : "");
-		Writer.Member("where", Diagnostic.Where);
-		Writer.Member("nearest", FindOffered(Diagnostic.Message));
+		Writer.Members({{"pointer", bPointer ? Diagnostic.Where : ""}, {"where", Diagnostic.Where},
+			{"nearest", FindOffered(Diagnostic.Message)}});
 		Writer.EndObject();
 	}
 	Writer.EndArray();

@@ -40,9 +40,8 @@ int PrintVariables(const FRunOptions& Options, const std::string& Filter, bool b
 	}
 	else if (Infos.empty())
 	{
-		const std::string Nearest = FindNearestName(Filter, Names);
-		PrintText(stderr, "drydock list: no console variable matches \"" + Filter + "\"" +
-							  (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") + "\n");
+		PrintText(
+			stderr, "drydock list: no console variable matches \"" + Filter + "\"" + SuggestName(Filter, Names) + "\n");
 	}
 	else
 	{

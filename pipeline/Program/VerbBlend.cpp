@@ -8,7 +8,6 @@
 #include "Program/Verbs.h"
 #include "Run/RunSetup.h"
 
-#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <unistd.h>

@@ -6,7 +6,6 @@
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -26,15 +25,9 @@ std::string MakeBuildJson(const FBuiltPlugin& Built)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("name", Built.Name);
-	Writer.Member("engine", "5." + std::to_string(Built.EngineMinor));
-	Writer.Member("library", std::filesystem::absolute(Built.Library).lexically_normal().string());
-	Writer.Key("notes").BeginArray();
-	for (const std::string& Note : Built.Notes)
-	{
-		Writer.Value(Note);
-	}
-	Writer.EndArray();
+	Writer.Members({{"name", Built.Name}, {"engine", "5." + std::to_string(Built.EngineMinor)},
+		{"library", std::filesystem::absolute(Built.Library).lexically_normal().string()}});
+	Writer.Array("notes", Built.Notes, [&](const std::string& Note) { Writer.Value(Note); });
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -70,10 +63,7 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 		"Leave out a file, folder or module: a path relative to PLUGIN_DIR, or a name; with * and ?");
 	Verb.Add("--compiler", Options->Build.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, engine, library and the files left out");
-	return [Options]
-	{
-		return Build(*Options);
-	};
+	return CallWith(Options, Build);
 }
 
 const FVerbRegistration GBuildRegistration({

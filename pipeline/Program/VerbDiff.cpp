@@ -17,6 +17,7 @@
 #include "Text/TextTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -87,7 +88,7 @@ std::vector<std::pair<std::string, std::string>> ListRun(const std::string& Fold
 	{
 		throw MakeError(ErrorFileMissing, PassFolder.string(), "cannot be listed: " + Error.message(), ExitFiles);
 	}
-	std::sort(Passes.begin(), Passes.end());
+	std::ranges::sort(Passes);
 	std::vector<std::pair<std::string, std::string>> Images;
 	std::map<std::string, int> Seen;
 	for (const Files::path& Pass : Passes)
@@ -116,8 +117,7 @@ std::vector<FPair> PairRuns(const std::string& FolderA, const std::string& Folde
 	}
 	for (const auto& [Name, File] : ListRun(FolderB))
 	{
-		const auto Found =
-			std::find_if(Pairs.begin(), Pairs.end(), [&Name = Name](const FPair& Pair) { return Pair.Name == Name; });
+		const auto Found = std::ranges::find(Pairs, Name, &FPair::Name);
 		if (Found != Pairs.end())
 		{
 			Found->B = File;
@@ -277,31 +277,24 @@ std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Op
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Options.Max ? Writer.Member("allowed", *Options.Max) : Writer.Key("allowed").Null();
-	Writer.Member("passed", bPassed);
-	Writer.Key("images").BeginArray();
-	for (const FPair& Pair : Pairs)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Pair.Name);
-		Writer.Member("a", Pair.A);
-		Writer.Member("b", Pair.B);
-		if (!Pair.A.empty() && !Pair.B.empty())
+	Writer.Members({{"allowed", Options.Max}, {"passed", bPassed}});
+	Writer.Array("images", Pairs,
+		[&](const FPair& Pair)
 		{
-			for (const std::string& Metric : GetMetricNames())
+			Writer.BeginObject(true);
+			Writer.Members({{"name", Pair.Name}, {"a", Pair.A}, {"b", Pair.B}});
+			if (!Pair.A.empty() && !Pair.B.empty())
 			{
-				Writer.Member(Metric, GetMetric(Pair.Error, Metric));
+				for (const std::string& Metric : GetMetricNames())
+				{
+					Writer.Member(Metric, GetMetric(Pair.Error, Metric));
+				}
+				Writer.Members(
+					{{"nonFinite", Pair.Error.NumNonFinite}, {"at", std::array{Pair.Error.MaxX, Pair.Error.MaxY}},
+						{"channel", Pair.Channels[static_cast<size_t>(Pair.Error.MaxChannel)]}});
 			}
-			Writer.Member("nonFinite", Pair.Error.NumNonFinite);
-			Writer.Key("at").BeginArray(true);
-			Writer.Value(Pair.Error.MaxX);
-			Writer.Value(Pair.Error.MaxY);
-			Writer.EndArray();
-			Writer.Member("channel", Pair.Channels[static_cast<size_t>(Pair.Error.MaxChannel)]);
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -7,7 +7,6 @@
 #include "Run/Explain.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <unistd.h>
 
@@ -46,8 +45,7 @@ void AddSamples(const FRunResult& Result, FSamples& Samples)
 {
 	for (const FRunPass& Pass : Result.Passes)
 	{
-		auto Known = std::find_if(
-			Samples.begin(), Samples.end(), [&](const auto& Sample) { return Sample.first == Pass.Index; });
+		auto Known = std::ranges::find_if(Samples, [&](const auto& Sample) { return Sample.first == Pass.Index; });
 		if (Known == Samples.end())
 		{
 			Known = Samples.insert(Samples.end(), {Pass.Index, {}});
@@ -61,7 +59,7 @@ FMeasuredPasses TakeMedians(FSamples Samples)
 	FMeasuredPasses Medians;
 	for (auto& [Index, Values] : Samples)
 	{
-		std::sort(Values.begin(), Values.end());
+		std::ranges::sort(Values);
 		Medians.push_back({Index, Values[Values.size() / 2]});
 	}
 	return Medians;
@@ -163,10 +161,7 @@ FVerbCall AddExplainOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--measure", Options->bMeasure,
 		"Run the frame as it is and with --no-skip, interleaved, and print medians instead of estimates");
 	Verb.AddFlag("--json", Options->bJson, "Print effects, passes and costs as JSON");
-	return [Options]
-	{
-		return Explain(*Options);
-	};
+	return CallWith(Options, Explain);
 }
 
 const FVerbRegistration GExplainRegistration({

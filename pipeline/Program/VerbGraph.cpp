@@ -10,7 +10,6 @@
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
 
-#include <cstdio>
 #include <memory>
 
 namespace Drydock
@@ -74,10 +73,7 @@ FVerbCall AddGraphOptions(FVerbOptions& Verb)
 	Verb.Add("--format", Options->Format, "Format of the graph; text by default; svg needs Graphviz")
 		.RequireOneOf({"text", "dot", "svg", "json"});
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, as --format json does");
-	return [Options]
-	{
-		return PrintGraph(*Options);
-	};
+	return CallWith(Options, PrintGraph);
 }
 
 const FVerbRegistration GGraphRegistration({

@@ -9,7 +9,6 @@
 #include "Text/TextFile.h"
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace Drydock
@@ -107,10 +106,7 @@ FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 	Verb.Add("--out", Options->Folder, "Write the pass's output for each hazard as PNG files into this folder")
 		.SetType("DIR");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return [Options]
-	{
-		return RunHazards(*Options);
-	};
+	return CallWith(Options, RunHazards);
 }
 
 const FVerbRegistration GHazardsRegistration({

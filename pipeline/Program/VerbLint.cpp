@@ -170,12 +170,11 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 	if (NumLooked == 0)
 	{
-		const std::string Nearest = FindNearestName(Options.Entry, Names);
 		throw FError({.Code = 6011,
 						 .Message = "no shader class names this file, and it has no entry point" +
 									(Options.Entry.empty() ? std::string() : " '" + Options.Entry + "'") +
 									": a function with [numthreads], or one that writes SV_Target" +
-									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
+									SuggestName(Options.Entry, Names),
 						 .File = Target},
 			ExitUsage);
 	}
@@ -192,8 +191,7 @@ void LintConfig(const std::string& Target, const FLintOptions& Options, FFound& 
 
 void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
 {
-	Writer.Member("rule", Rule.Id);
-	Writer.Member("severity", Rule.Severity == ESeverity::Error ? "error" : "warning");
+	Writer.Members({{"rule", Rule.Id}, {"severity", Rule.Severity == ESeverity::Error ? "error" : "warning"}});
 	Writer.Key("platforms").BeginArray(true);
 	for (size_t i = 0; i < GetLintPlatforms().size(); ++i)
 	{
@@ -203,9 +201,7 @@ void WriteRule(FJsonWriter& Writer, const FLintRule& Rule)
 		}
 	}
 	Writer.EndArray();
-	Writer.Member("message", Rule.Sentence);
-	Writer.Member("wayRound", Rule.WayRound);
-	Writer.Member("source", Rule.Source);
+	Writer.Members({{"message", Rule.Sentence}, {"wayRound", Rule.WayRound}, {"source", Rule.Source}});
 }
 
 std::string MakeRulesText()
@@ -223,14 +219,13 @@ std::string MakeRulesJson()
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Key("rules").BeginArray();
-	for (const FLintRule& Rule : GetLintRules())
-	{
-		Writer.BeginObject(true);
-		WriteRule(Writer, Rule);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("rules", GetLintRules(),
+		[&](const FLintRule& Rule)
+		{
+			Writer.BeginObject(true);
+			WriteRule(Writer, Rule);
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -239,17 +234,14 @@ std::string MakeLintJson(const FFound& Found)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Key("findings").BeginArray();
-	for (const FLintFinding& Finding : Found.Findings)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("file", Finding.File);
-		Writer.Member("line", Finding.Line);
-		Writer.Member("what", Finding.What);
-		WriteRule(Writer, *Finding.Rule);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("findings", Found.Findings,
+		[&](const FLintFinding& Finding)
+		{
+			Writer.BeginObject(true);
+			Writer.Members({{"file", Finding.File}, {"line", Finding.Line}, {"what", Finding.What}});
+			WriteRule(Writer, *Finding.Rule);
+			Writer.EndObject();
+		});
 	Writer.Member("shaders", static_cast<uint64_t>(Found.NumShaders));
 	Writer.EndObject();
 	return Writer.GetText();
@@ -280,8 +272,7 @@ int Lint(const FLintOptions& Options)
 	}
 	if (Options.Targets.empty())
 	{
-		throw FError({.Code = ErrorBadArgument, .Message = "a shader or a config is missing; --list shows the rules"},
-			ExitUsage);
+		throw BadArgument("a shader or a config is missing; --list shows the rules");
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
@@ -324,10 +315,7 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return [Options]
-	{
-		return Lint(*Options);
-	};
+	return CallWith(Options, Lint);
 }
 
 const FVerbRegistration GLintRegistration({

@@ -137,11 +137,9 @@ FListTable MakeListTable(const FListOptions& Options)
 		return Options.Filter.empty() ? ListHooks() : ListHooks(Run);
 	}
 	const std::string Nearest = FindNearestName(Options.Things, GetLists());
-	throw FError({.Code = ErrorBadArgument,
-					 .Message = "there is no list of " + Options.Things +
-								(Nearest.empty() ? "; there are " + GetListTypes() : "; did you mean " + Nearest + "?"),
-					 .Where = "THINGS"},
-		ExitUsage);
+	throw BadArgument("there is no list of " + Options.Things +
+						  (Nearest.empty() ? "; there are " + GetListTypes() : "; did you mean " + Nearest + "?"),
+		"THINGS");
 }
 
 std::string MakeListText(const FListTable& Table)
@@ -206,9 +204,8 @@ int PrintSettings(const FListOptions& Options)
 	}
 	if (Fields.empty())
 	{
-		const std::string Nearest = FindNearestName(Options.Filter, GetSettingNames());
 		PrintText(stderr, "drydock list: no setting matches \"" + Options.Filter + "\"" +
-							  (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") + "\n");
+							  SuggestName(Options.Filter, GetSettingNames()) + "\n");
 	}
 	PrintResult(Options.bJson ? FormatSettingsJson(Fields) : FormatSettings(Fields), Options.bJson);
 	return ExitDone;
@@ -270,10 +267,7 @@ FVerbCall AddListOptions(FVerbOptions& Verb)
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--names", Options->bNames, "Print only names, one a line, for shell completion");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
-	return [Options]
-	{
-		return PrintList(*Options);
-	};
+	return CallWith(Options, PrintList);
 }
 
 const FVerbRegistration GListRegistration({

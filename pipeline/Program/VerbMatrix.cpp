@@ -12,7 +12,6 @@
 #include "Report/MatrixPage.h"
 #include "Report/ReportPage.h"
 
-#include <cstdio>
 #include <ctime>
 #include <memory>
 

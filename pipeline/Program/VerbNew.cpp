@@ -78,20 +78,10 @@ std::string MakePatchJson(
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("name", Options.Name);
-	Writer.Member("folder", Files::absolute(Folder).lexically_normal().string());
-	Writer.Key("files").BeginArray();
-	for (const FPatchFile& File : Project)
-	{
-		Writer.Value(File.Path);
-	}
-	Writer.EndArray();
-	Writer.Key("commands").BeginArray();
-	for (const std::string& Command : GetCommands(Folder, Options.Name))
-	{
-		Writer.Value(Command);
-	}
-	Writer.EndArray();
+	Writer.Members({{"name", Options.Name}, {"folder", Files::absolute(Folder).lexically_normal().string()}});
+	Writer.Array("files", Project, [&](const FPatchFile& File) { Writer.Value(File.Path); });
+	Writer.Array(
+		"commands", GetCommands(Folder, Options.Name), [&](const std::string& Command) { Writer.Value(Command); });
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -130,10 +120,7 @@ FVerbCall AddNewOptions(FVerbOptions& Verb)
 	Verb.Add("--dir", Options->Folder, "Make the folder NAME in this folder; in the current one by default")
 		.SetType("DIR");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, folder, files and the next commands");
-	return [Options]
-	{
-		return MakePatch(*Options);
-	};
+	return CallWith(Options, MakePatch);
 }
 
 const FVerbRegistration GNewRegistration({

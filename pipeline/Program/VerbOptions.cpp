@@ -6,7 +6,6 @@
 #include "ShaderCache.h"
 #include "Text/ConfigErrors.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -101,10 +100,7 @@ std::array<double, 3> ParseLocation(const std::string& Text)
 	}
 	if (!bGood)
 	{
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"",
-						 .Where = "--at"},
-			ExitUsage);
+		throw BadArgument("expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"", "--at");
 	}
 	return Location;
 }

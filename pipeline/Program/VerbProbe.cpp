@@ -7,7 +7,6 @@
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
 
-#include <cstdio>
 #include <memory>
 
 namespace Drydock
@@ -58,22 +57,17 @@ std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest& Request)
 						 int64_t(Request.Y) + Request.Height <= View.Height();
 	if (!bInside)
 	{
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = std::to_string(Request.X) + "," + std::to_string(Request.Y) +
-									" with its region leaves the frame, which is " + std::to_string(View.Width()) +
-									" x " + std::to_string(View.Height()),
-						 .Where = "X,Y"},
-			ExitUsage);
+		throw BadArgument(std::to_string(Request.X) + "," + std::to_string(Request.Y) +
+							  " with its region leaves the frame, which is " + std::to_string(View.Width()) + " x " +
+							  std::to_string(View.Height()),
+			"X,Y");
 	}
 	FProbeCapture Capture(Request);
 	const FScopedDispatchObserver Scope(Capture);
 	PrintDiagnostics(RunConfig(Run).Diagnostics);
 	if (Capture.GetPasses().empty())
 	{
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "no pass of this run that a shader draws matches '" + Request.Passes + "'",
-						 .Where = "--pass"},
-			ExitUsage);
+		throw BadArgument("no pass of this run that a shader draws matches '" + Request.Passes + "'", "--pass");
 	}
 	return Capture.GetPasses();
 }
@@ -110,10 +104,7 @@ FVerbCall AddProbeOptions(FVerbOptions& Verb)
 			"runs differ")
 		.SetType("WHAT");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels read");
-	return [Options]
-	{
-		return Probe(*Options);
-	};
+	return CallWith(Options, Probe);
 }
 
 const FVerbRegistration GProbeRegistration({

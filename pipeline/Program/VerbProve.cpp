@@ -6,7 +6,6 @@
 #include "Prove/Prove.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace Drydock
@@ -42,10 +41,7 @@ FVerbCall AddProveOptions(FVerbOptions& Verb)
 	AddConfig(Verb, Options->Run);
 	Verb.Add("--only", Options->Only, "Check only these equivalences, by name; with * and ?").SetType("PATTERN");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return [Options]
-	{
-		return Prove(*Options);
-	};
+	return CallWith(Options, Prove);
 }
 
 const FVerbRegistration GProveRegistration({

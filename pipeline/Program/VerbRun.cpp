@@ -241,13 +241,10 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	}
 	if (Options.bRestart || !Options.Video.empty() || Options.Lead > 0)
 	{
-		throw FError(
-			{.Code = ErrorBadArgument,
-				.Message = "needs the frames of a sequence: name them with --frames, or in the config's scene.frames",
-				.Where = Options.bRestart         ? "--restart"
-						 : !Options.Video.empty() ? "--video"
-												  : "--lead"},
-			ExitUsage);
+		throw BadArgument("needs the frames of a sequence: name them with --frames, or in the config's scene.frames",
+			Options.bRestart         ? "--restart"
+			: !Options.Video.empty() ? "--video"
+									 : "--lead");
 	}
 	if (Options.bWatch)
 	{
@@ -301,10 +298,7 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
-	return [Options]
-	{
-		return RunOrWatch(*Options);
-	};
+	return CallWith(Options, RunOrWatch);
 }
 
 const FVerbRegistration GRunRegistration({

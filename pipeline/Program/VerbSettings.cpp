@@ -13,7 +13,6 @@
 #include "Text/TextFile.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -44,11 +43,7 @@ struct FSettingsExportOptions
 
 std::string ReadText(const std::string& File)
 {
-	if (File == "-")
-	{
-		return ReadStandardInputText();
-	}
-	return ReadTextFile(File, "the text cannot be read");
+	return File == "-" ? ReadStandardInputText() : ReadTextFile(File, "the text cannot be read");
 }
 
 void Upgrade(std::vector<FVolumeText>& Volumes, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
@@ -105,11 +100,9 @@ std::vector<FVolumeText> CollectVolumes(
 			Volumes.push_back(MakeVolumeText(Volume, Config.File, Diagnostics));
 		}
 	}
-	const std::string Nearest = Options.Volume ? FindNearestName(*Options.Volume, Names) : "";
 	const std::string Mistake =
 		Volumes.empty() && !Options.Volume ? "the config has no volumes to export"
-		: Volumes.empty()
-			? "there is no volume " + *Options.Volume + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?")
+		: Volumes.empty() ? "there is no volume " + *Options.Volume + SuggestName(*Options.Volume, Names)
 		: Options.bStruct && Volumes.size() > 1 ? "the config has several volumes: name the one to export with --volume"
 												: "";
 	if (!Mistake.empty())
@@ -234,10 +227,7 @@ FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 		.SetType("CONFIG");
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--json", Options->bJson, "Print an object of volumes and messages");
-	return [Options]
-	{
-		return ImportSettings(*Options);
-	};
+	return CallWith(Options, ImportSettings);
 }
 
 const FVerbRegistration GSettingsImportRegistration({
@@ -260,10 +250,7 @@ FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--struct", Options->bStruct, "Export only the settings (..), to paste into a volume's Settings");
 	Verb.AddFlag("--full", Options->bFull, "Export all settings, not only those that are overridden or changed");
 	AddTrust(Verb, Options->Run);
-	return [Options]
-	{
-		return ExportSettings(*Options);
-	};
+	return CallWith(Options, ExportSettings);
 }
 
 const FVerbRegistration GSettingsExportRegistration({

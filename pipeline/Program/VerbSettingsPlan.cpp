@@ -25,11 +25,6 @@ struct FSettingsPlanOptions
 	bool bJson = false;
 };
 
-[[noreturn]] void Refuse(const std::string& Message)
-{
-	throw FError({.Code = ErrorBadArgument, .Message = Message}, ExitUsage);
-}
-
 /** From the table, or from the arguments where the table does not have it. */
 FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 {
@@ -39,15 +34,14 @@ FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 	}
 	if (Options.Type.empty())
 	{
-		const std::string Nearest = FindNearestName(Options.Name, GetSettingNames());
-		Refuse("there is no setting " + Options.Name + (Nearest.empty() ? "" : "; did you mean " + Nearest + "?") +
-			   " For a new one give its type, such as --type float --default 0");
+		throw BadArgument("there is no setting " + Options.Name + SuggestName(Options.Name, GetSettingNames()) +
+						  " For a new one give its type, such as --type float --default 0");
 	}
 	std::string Error;
 	std::optional<FNewSetting> Setting = MakeNewSetting(Options.Name, Options.Type, Options.Default, Error);
 	if (!Setting)
 	{
-		Refuse(Error);
+		throw BadArgument(Error);
 	}
 	Setting->Category = Options.Category.empty() ? Setting->Category : Options.Category;
 	Setting->Doc = Options.Doc.empty() ? Setting->Doc : Options.Doc;
@@ -61,10 +55,7 @@ std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
 	for (const FSettingPlace& Place : Places)
 	{
 		Writer.BeginObject();
-		Writer.Member("file", Place.File);
-		Writer.Member("where", Place.Where);
-		Writer.Member("text", Place.Text);
-		Writer.Member("why", Place.Why);
+		Writer.Members({{"file", Place.File}, {"where", Place.Where}, {"text", Place.Text}, {"why", Place.Why}});
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -88,10 +79,7 @@ FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 	Verb.Add("--category", Options->Category, "Category of a new setting").SetType("A|B");
 	Verb.Add("--doc", Options->Doc, "Description of a new setting").SetType("TEXT");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
-	return [Options]
-	{
-		return PrintPlan(*Options);
-	};
+	return CallWith(Options, PrintPlan);
 }
 
 const FVerbRegistration GSettingsPlanRegistration({

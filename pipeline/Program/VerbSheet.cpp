@@ -141,10 +141,7 @@ FVerbCall AddSheetOptions(FVerbOptions& Verb)
 	Verb.Add("--crop", Options->Crop, "Show only this part of each picture").SetType("X,Y,WIDTH,HEIGHT");
 	Verb.Add("--inset", Options->Inset, "Show this part again below, enlarged, its light times GAIN")
 		.SetType("X,Y,WIDTH,HEIGHT[,GAIN]");
-	return [Options]
-	{
-		return MakeSheet(*Options);
-	};
+	return CallWith(Options, MakeSheet);
 }
 
 const FVerbRegistration GSheetRegistration({

@@ -46,11 +46,8 @@ std::array<int32_t, 3> ParsePixel(const std::string& Text)
 		}
 		Next = Read.ptr + 1;
 	}
-	throw FError(
-		{.Code = ErrorBadArgument,
-			.Message = "'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread",
-			.Where = "--pixel"},
-		ExitUsage);
+	throw BadArgument(
+		"'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread", "--pixel");
 }
 
 int Trace(FTraceVerbOptions Options)
@@ -91,10 +88,7 @@ FVerbCall AddTraceOptions(FVerbOptions& Verb)
 		.RequireNonNegative()
 		.SetType("X");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every iteration of every loop");
-	return [Options]
-	{
-		return Trace(*Options);
-	};
+	return CallWith(Options, Trace);
 }
 
 const FVerbRegistration GTraceRegistration({

@@ -58,10 +58,7 @@ FVerbCall AddWarmOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--no-plugins", Options->bNoPlugins, "Refuse a config that names plugins, because plugins are code");
 	Verb.AddFlag("--all", Options->bAll,
 		"Compile every shader class of the plugins, even if the frame does not use it, up to 256 permutations each");
-	return [Options]
-	{
-		return Warm(*Options);
-	};
+	return CallWith(Options, Warm);
 }
 
 const FVerbRegistration GWarmRegistration({

@@ -20,22 +20,9 @@ std::vector<FVerb>& GetRegistered()
 
 const char* ToString(EVerbGroup Group)
 {
-	switch (Group)
-	{
-	case EVerbGroup::Run:
-		return "Run";
-	case EVerbGroup::Ask:
-		return "Ask what happens in a frame, and why";
-	case EVerbGroup::Measure:
-		return "Measure and compare";
-	case EVerbGroup::LookUp:
-		return "Look up, import and export";
-	case EVerbGroup::Patch:
-		return "Make patches and plugins";
-	case EVerbGroup::Shell:
-		break;
-	}
-	return "For shells and editors";
+	constexpr const char* Titles[] = {"Run", "Ask what happens in a frame, and why", "Measure and compare",
+		"Look up, import and export", "Make patches and plugins", "For shells and editors"};
+	return Titles[size_t(Group)];
 }
 
 FVerbRegistration::FVerbRegistration(const FVerb& Verb)

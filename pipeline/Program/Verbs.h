@@ -5,6 +5,7 @@
 #include "Diagnostics.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace Drydock
@@ -15,6 +16,16 @@ class FVerbOptions;
 /** Runs a verb once its options are read; returns the program's exit code. stdout is the result, stderr the log. Throws
  * FError, which the program prints and whose exit code it ends with. */
 using FVerbCall = std::function<int()>;
+
+/** The call of a verb's function with its options. */
+template<typename TOptions, typename TFunction>
+FVerbCall CallWith(std::shared_ptr<TOptions> Options, TFunction Function)
+{
+	return [Options, Function]
+	{
+		return Function(*Options);
+	};
+}
 
 /** The purpose of a verb, by which verbs are listed. */
 enum class EVerbGroup

@@ -33,9 +33,9 @@ std::vector<double> TakePixel(const std::vector<double>& Row, int X, int NumChan
  * channels of the other frame. */
 bool LooksUnwritten(const FPixelDifference& Pixel)
 {
-	const bool bZero = std::all_of(Pixel.Base.begin(), Pixel.Base.end(), [](double Value) { return Value == 0.0; });
-	const bool bFilled = std::all_of(Pixel.Other.begin(), Pixel.Other.end(),
-		[&](double Value) { return std::memcmp(&Value, &Pixel.Other[0], sizeof(Value)) == 0; });
+	const bool bZero = std::ranges::all_of(Pixel.Base, [](double Value) { return Value == 0.0; });
+	const bool bFilled = std::ranges::all_of(
+		Pixel.Other, [&](double Value) { return std::memcmp(&Value, &Pixel.Other[0], sizeof(Value)) == 0; });
 	return bZero && bFilled;
 }
 
@@ -236,8 +236,7 @@ void FPassRecord::NotePartlyDrawn(const FPassWrites& Writes)
 		const auto Known = Partly.find(Resource.Name);
 		const std::string What = Known == Partly.end() ? "nothing" : Known->second;
 		const std::string Text = Resource.Name + ": " + What;
-		if (!What.empty() && std::find(Difference->PartlyDrawn.begin(), Difference->PartlyDrawn.end(), Text) ==
-								 Difference->PartlyDrawn.end())
+		if (!What.empty() && std::ranges::find(Difference->PartlyDrawn, Text) == Difference->PartlyDrawn.end())
 		{
 			Difference->PartlyDrawn.push_back(Text);
 		}

@@ -17,8 +17,8 @@ namespace
 
 bool Clobbers(const FEquivalenceRun& Run)
 {
-	return std::any_of(Run.Variables.begin(), Run.Variables.end(),
-		[](const std::string& Variable) { return Variable.starts_with("r.RDG.ClobberResources="); });
+	return std::ranges::any_of(
+		Run.Variables, [](const std::string& Variable) { return Variable.starts_with("r.RDG.ClobberResources="); });
 }
 
 std::string JoinMessages(const FError& Error)
@@ -103,8 +103,7 @@ private:
 	/** Each base runs once. */
 	FPicture GetBase(const FEquivalenceRun& Run)
 	{
-		const auto Known =
-			std::find_if(Bases.begin(), Bases.end(), [&Run](const auto& Base) { return Base.first == Run; });
+		const auto Known = std::ranges::find_if(Bases, [&Run](const auto& Base) { return Base.first == Run; });
 		if (Known != Bases.end())
 		{
 			return Known->second;
@@ -173,12 +172,8 @@ std::vector<FProven> ProveConfig(const FProveOptions& Options)
 	}
 	if (Asked.empty())
 	{
-		const std::string Nearest = FindNearestName(Options.Only, Names);
-		throw FError({.Code = ErrorBadArgument,
-						 .Message = "there is no equivalence '" + Options.Only + "'" +
-									(Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?"),
-						 .Where = "--only"},
-			ExitUsage);
+		throw BadArgument(
+			"there is no equivalence '" + Options.Only + "'" + SuggestName(Options.Only, Names), "--only");
 	}
 	FProver Prover(Options.Run);
 	std::vector<FProven> Proven;

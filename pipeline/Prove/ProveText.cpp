@@ -4,6 +4,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -15,11 +16,7 @@ namespace
 
 std::string FormatValues(const std::vector<double>& Values)
 {
-	std::string Text;
-	for (const double Value : Values)
-	{
-		Text += (Text.empty() ? "" : ", ") + NumberText(Value);
-	}
+	std::string Text = JoinText(Values, ", ", [&](const double Value) { return NumberText(Value); });
 	return Values.size() > 1 ? "(" + Text + ")" : Text;
 }
 
@@ -77,17 +74,11 @@ std::string FormatVerdict(const FProven& Proven)
 void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& Pixel)
 {
 	Writer.Key(Name).BeginObject();
-	Writer.Member("x", Pixel.X);
-	Writer.Member("y", Pixel.Y);
-	Writer.Member("pixels", Pixel.NumPixels);
+	Writer.Members({{"x", Pixel.X}, {"y", Pixel.Y}, {"pixels", Pixel.NumPixels}});
 	for (const auto& [Key, Values] : {std::pair("base", &Pixel.Base), std::pair("other", &Pixel.Other)})
 	{
-		Writer.Key(Key).BeginArray(true);
-		for (const double Value : *Values)
-		{
-			Writer.Value(NumberText(Value)); // as text, for it may be no number
-		}
-		Writer.EndArray();
+		// As text, for it may be no number.
+		Writer.Member(Key, *Values | std::views::transform([](double Value) { return NumberText(Value); }));
 	}
 	Writer.EndObject();
 }
@@ -115,48 +106,35 @@ std::string MakeProveJson(const std::string& Config, const std::vector<FProven>&
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("config", Config);
-	Writer.Member("holds", std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); }));
-	Writer.Key("equivalences").BeginArray();
-	for (const FProven& One : Proven)
-	{
-		Writer.BeginObject();
-		Writer.Member("name", One.Equivalence->Name);
-		Writer.Member("what", One.Equivalence->What);
-		Writer.Member("holds", One.Holds());
-		Writer.Member("notAsked", One.NotRun);
-		Writer.Member("error", One.Error);
-		Writer.Member("otherSize", One.OtherSize);
-		Writer.Member("roundedValues", One.NumRounded);
-		Writer.Member("likely", One.Holds() ? "" : One.Equivalence->Likely);
-		if (One.FirstPass)
+	Writer.Members({{"config", Config},
+		{"holds", std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); })}});
+	Writer.Array("equivalences", Proven,
+		[&](const FProven& One)
 		{
-			Writer.Key("firstPass").BeginObject();
-			Writer.Member("pass", One.FirstPass->Pass);
-			Writer.Member("shader", One.FirstPass->Shader);
-			Writer.Member("plugin", One.FirstPass->Owner);
-			Writer.Member("resource", One.FirstPass->Resource);
-			Writer.Member("mip", One.FirstPass->Mip);
-			Writer.Member("sizes", One.FirstPass->Sizes);
-			if (One.FirstPass->Pixel)
+			Writer.BeginObject();
+			Writer.Members({{"name", One.Equivalence->Name}, {"what", One.Equivalence->What}, {"holds", One.Holds()},
+				{"notAsked", One.NotRun}, {"error", One.Error}, {"otherSize", One.OtherSize},
+				{"roundedValues", One.NumRounded}, {"likely", One.Holds() ? "" : One.Equivalence->Likely}});
+			if (One.FirstPass)
 			{
-				WritePixel(Writer, "pixel", *One.FirstPass->Pixel);
+				Writer.Key("firstPass").BeginObject();
+				Writer.Members({{"pass", One.FirstPass->Pass}, {"shader", One.FirstPass->Shader},
+					{"plugin", One.FirstPass->Owner}, {"resource", One.FirstPass->Resource},
+					{"mip", One.FirstPass->Mip}, {"sizes", One.FirstPass->Sizes}});
+				if (One.FirstPass->Pixel)
+				{
+					WritePixel(Writer, "pixel", *One.FirstPass->Pixel);
+				}
+				Writer.Array(
+					"partlyDrawn", One.FirstPass->PartlyDrawn, [&](const std::string& Input) { Writer.Value(Input); });
+				Writer.EndObject();
 			}
-			Writer.Key("partlyDrawn").BeginArray();
-			for (const std::string& Input : One.FirstPass->PartlyDrawn)
+			if (One.Final)
 			{
-				Writer.Value(Input);
+				WritePixel(Writer, "final", *One.Final);
 			}
-			Writer.EndArray();
 			Writer.EndObject();
-		}
-		if (One.Final)
-		{
-			WritePixel(Writer, "final", *One.Final);
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

@@ -12,10 +12,7 @@ void WriteCurve(FJsonWriter& Writer, const char* Key, const FChartCurve& Curve)
 	Writer.Key(Key).BeginArray(true);
 	for (const auto& [X, Y] : Curve)
 	{
-		Writer.BeginArray(true);
-		Writer.Value(static_cast<float>(X));
-		Writer.Value(static_cast<float>(Y));
-		Writer.EndArray();
+		Writer.Value(std::array{static_cast<float>(X), static_cast<float>(Y)});
 	}
 	Writer.EndArray();
 }
@@ -25,10 +22,7 @@ void WriteTicks(FJsonWriter& Writer, const char* Key, const std::vector<FChartTi
 	Writer.Key(Key).BeginArray(true);
 	for (const FChartTick& Tick : Ticks)
 	{
-		Writer.BeginObject(true);
-		Writer.Member("value", static_cast<float>(Tick.Value));
-		Writer.Member("text", Tick.Text);
-		Writer.EndObject();
+		Writer.Object({{"value", static_cast<float>(Tick.Value)}, {"text", Tick.Text}});
 	}
 	Writer.EndArray();
 }
@@ -36,17 +30,10 @@ void WriteTicks(FJsonWriter& Writer, const char* Key, const std::vector<FChartTi
 void WriteAxis(FJsonWriter& Writer, const char* Key, const FChartAxis& Axis)
 {
 	Writer.Key(Key).BeginObject(true);
-	Writer.Member("name", Axis.Name);
-	Writer.Member("log", Axis.bLog);
-	Writer.Member("low", static_cast<float>(Axis.Low));
-	Writer.Member("high", static_cast<float>(Axis.High));
+	Writer.Members({{"name", Axis.Name}, {"log", Axis.bLog}, {"low", static_cast<float>(Axis.Low)},
+		{"high", static_cast<float>(Axis.High)}});
 	WriteTicks(Writer, "ticks", Axis.Ticks);
-	Writer.Key("valueNames").BeginArray(true);
-	for (const std::string& Name : Axis.ValueNames)
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
+	Writer.Member("valueNames", Axis.ValueNames);
 	Writer.EndObject();
 }
 
@@ -54,17 +41,12 @@ void WriteAxis(FJsonWriter& Writer, const char* Key, const FChartAxis& Axis)
 void WritePoint(FJsonWriter& Writer, const FChartPoint& Point)
 {
 	Writer.BeginObject(true);
-	Writer.Member("x", static_cast<float>(Point.X));
-	Writer.Member("y", static_cast<float>(Point.Y));
+	Writer.Members({{"x", static_cast<float>(Point.X)}, {"y", static_cast<float>(Point.Y)}});
 	if (Point.Low < Point.High)
 	{
-		Writer.Member("low", static_cast<float>(Point.Low));
-		Writer.Member("high", static_cast<float>(Point.High));
+		Writer.Members({{"low", static_cast<float>(Point.Low)}, {"high", static_cast<float>(Point.High)}});
 	}
-	if (!Point.Label.empty())
-	{
-		Writer.Member("label", Point.Label);
-	}
+	Writer.MemberIfAny("label", Point.Label);
 	for (const auto& [Key, bSet] : {std::pair("pale", Point.bPale), {"now", Point.bNow}, {"pick", Point.bPick}})
 	{
 		if (bSet)
@@ -80,8 +62,7 @@ void WritePoint(FJsonWriter& Writer, const FChartPoint& Point)
 void WriteChartPanel(FJsonWriter& Writer, const FChartPanel& Panel)
 {
 	Writer.BeginObject(true);
-	Writer.Member("title", Panel.Title);
-	Writer.Member("unit", Panel.Unit);
+	Writer.Members({{"title", Panel.Title}, {"unit", Panel.Unit}});
 	WriteAxis(Writer, "x", Panel.X);
 	WriteAxis(Writer, "y", Panel.Y);
 	Writer.Member("limit", Panel.Limit);
@@ -89,8 +70,7 @@ void WriteChartPanel(FJsonWriter& Writer, const FChartPanel& Panel)
 	for (const FChartSeries& Series : Panel.Series)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("name", Series.Name);
-		Writer.Member("color", Series.Color);
+		Writer.Members({{"name", Series.Name}, {"color", Series.Color}});
 		WriteCurve(Writer, "line", Series.Line);
 		Writer.Member("steps", Series.bSteps);
 		Writer.Key("points").BeginArray(true);
@@ -110,22 +90,15 @@ void WriteChart(FJsonWriter& Writer, const FChart& Chart)
 	Writer.BeginObject();
 	Writer.Member("markName", Chart.MarkName);
 	WriteTicks(Writer, "marks", Chart.Marks);
-	Writer.Key("shades").BeginArray();
-	for (const FChartShade& Shade : Chart.Shades)
-	{
-		Writer.BeginObject();
-		Writer.Member("name", Shade.Name);
-		Writer.Member("color", Shade.Color);
-		WriteCurve(Writer, "weights", Shade.Weights);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("panels").BeginArray();
-	for (const FChartPanel& Panel : Chart.Panels)
-	{
-		WriteChartPanel(Writer, Panel);
-	}
-	Writer.EndArray();
+	Writer.Array("shades", Chart.Shades,
+		[&](const FChartShade& Shade)
+		{
+			Writer.BeginObject();
+			Writer.Members({{"name", Shade.Name}, {"color", Shade.Color}});
+			WriteCurve(Writer, "weights", Shade.Weights);
+			Writer.EndObject();
+		});
+	Writer.Array("panels", Chart.Panels, [&](const FChartPanel& Panel) { WriteChartPanel(Writer, Panel); });
 	Writer.EndObject();
 }
 

@@ -35,14 +35,8 @@ void WriteSide(FJsonWriter& Writer, const char* Key, const std::string& Path)
 	Writer.Key(Key).BeginObject();
 	Writer.Member("path", Path);
 	const FReportBefore Run = ReadReportBefore(Path);
-	if (!Run.RunJson.empty())
-	{
-		Writer.Key("run").Raw(Run.RunJson);
-	}
-	if (!Run.TimingJson.empty())
-	{
-		Writer.Key("timing").Raw(Run.TimingJson);
-	}
+	Writer.RawMember("run", Run.RunJson);
+	Writer.RawMember("timing", Run.TimingJson);
 	Writer.EndObject();
 }
 
@@ -96,12 +90,8 @@ std::string FDiffPage::MakeData(
 	FitPictures(Pictures, Groups, MaxPagePictureBytes);
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("format", "drydock-report");
-	Writer.Member("formatVersion", 1);
-	Writer.Member("kind", "diff");
-	Writer.Member("name", GetName(A) + " against " + GetName(B));
-	Writer.Member("version", GetVersion());
-	Writer.Member("written", When);
+	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "diff"},
+		{"name", GetName(A) + " against " + GetName(B)}, {"version", GetVersion()}, {"written", When}});
 	Writer.Key("diff").Raw(DiffJson);
 	WriteSide(Writer, "a", A);
 	WriteSide(Writer, "b", B);

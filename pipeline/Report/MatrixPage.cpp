@@ -33,12 +33,8 @@ std::string MakeMatrixPageData(const FMatrixPageInputs& Inputs, const std::strin
 
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("format", "drydock-report");
-	Writer.Member("formatVersion", 1);
-	Writer.Member("kind", "matrix");
-	Writer.Member("name", Inputs.Name);
-	Writer.Member("version", GetVersion());
-	Writer.Member("written", When);
+	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "matrix"}, {"name", Inputs.Name},
+		{"version", GetVersion()}, {"written", When}});
 	Writer.Key("matrix").Raw(Inputs.MatrixJson);
 	WriteReportPictures(Writer, Pictures);
 	Writer.EndObject();

@@ -201,100 +201,79 @@ void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
 {
 	std::vector<int32> Ids;
 	Type.ForEachShader([&](FShader& Shader) { Ids.push_back(Shader.GetPermutationId()); });
-	Writer.Key("permutations").BeginArray();
-	for (const int32 Id : Ids)
-	{
-		Writer.BeginObject(true);
-		const FShaderCompilerEnvironment Environment = Type.GetCompilationEnvironment(Id);
-		for (const auto& [Name, Value] : Environment.GetDefines())
+	Writer.Array("permutations", Ids,
+		[&](const int32 Id)
 		{
-			Writer.Member(Name, Value);
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			Writer.BeginObject(true);
+			const FShaderCompilerEnvironment Environment = Type.GetCompilationEnvironment(Id);
+			for (const auto& [Name, Value] : Environment.GetDefines())
+			{
+				Writer.Member(Name, Value);
+			}
+			Writer.EndObject();
+		});
 }
 
 /** Writes what the graph and the run leave out about passes that ran. */
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
-	Writer.Key("passes").BeginArray();
-	for (const FRunPass& Pass : Result.Passes)
-	{
-		const FRDGCompiledPass& Compiled = Result.Graph.Passes[static_cast<size_t>(Pass.Index)];
-		const FShaderType* const Type =
-			FindShaderType(Compiled.Shader.empty() ? Pass.Counters.Shader : Compiled.Shader);
-		Writer.BeginObject();
-		Writer.Member("index", Pass.Index);
-		Writer.Member("shaderFile", Type != nullptr ? Type->GetShaderFilename() : "");
-		if (Type != nullptr)
+	Writer.Array("passes", Result.Passes,
+		[&](const FRunPass& Pass)
 		{
-			WritePermutations(Writer, *Type);
-		}
-		Writer.Key("parameters").BeginArray();
-		const auto Values = Result.PassValues.find(Pass.Index);
-		for (size_t i = 0; Values != Result.PassValues.end() && i < Values->second.size(); ++i)
-		{
-			const FPassValue& Value = Values->second[i];
-			Writer.BeginObject(true);
-			Writer.Member("name", Value.Name);
-			Writer.Member("type", Value.Type);
-			Writer.Member("value", Value.Value);
+			const FRDGCompiledPass& Compiled = Result.Graph.Passes[static_cast<size_t>(Pass.Index)];
+			const FShaderType* const Type =
+				FindShaderType(Compiled.Shader.empty() ? Pass.Counters.Shader : Compiled.Shader);
+			Writer.BeginObject();
+			Writer.Members({{"index", Pass.Index}, {"shaderFile", Type != nullptr ? Type->GetShaderFilename() : ""}});
+			if (Type != nullptr)
+			{
+				WritePermutations(Writer, *Type);
+			}
+			Writer.Key("parameters").BeginArray();
+			const auto Values = Result.PassValues.find(Pass.Index);
+			for (size_t i = 0; Values != Result.PassValues.end() && i < Values->second.size(); ++i)
+			{
+				const FPassValue& Value = Values->second[i];
+				Writer.Object({{"name", Value.Name}, {"type", Value.Type}, {"value", Value.Value}});
+			}
+			Writer.EndArray();
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 }
 
 void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 {
-	Writer.Key("settings").BeginArray();
-	for (const FSettingField& Field : GetSettingFields())
-	{
-		const std::string Value = SettingToJson(Field, Field.Get(Result.Settings));
-		const std::string Default = SettingToJson(Field, Field.Default);
-		if (Value == Default)
+	Writer.Array("settings", GetSettingFields(),
+		[&](const FSettingField& Field)
 		{
-			continue;
-		}
-		const FEffect* const Owner = FindSettingOwner(Field.Name);
-		Writer.BeginObject(true);
-		Writer.Member("name", Field.Name);
-		Writer.Key("value").Raw(Value);
-		Writer.Key("default").Raw(Default);
-		Writer.Member("unit", Field.Unit);
-		Writer.Member("category", Field.Category);
-		Writer.Member("doc", Field.Doc);
-		Writer.Member("effect", Owner != nullptr ? *Owner->Name : "");
-		Writer.Member("unread", GetSettingNotBuiltReason(Field.Name));
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			const std::string Value = SettingToJson(Field, Field.Get(Result.Settings));
+			const std::string Default = SettingToJson(Field, Field.Default);
+			if (Value == Default)
+			{
+				return;
+			}
+			const FEffect* const Owner = FindSettingOwner(Field.Name);
+			Writer.BeginObject(true);
+			Writer.Member("name", Field.Name);
+			Writer.Key("value").Raw(Value);
+			Writer.Key("default").Raw(Default);
+			Writer.Members({{"unit", Field.Unit}, {"category", Field.Category}, {"doc", Field.Doc},
+				{"effect", Owner != nullptr ? *Owner->Name : ""}, {"unread", GetSettingNotBuiltReason(Field.Name)}});
+			Writer.EndObject();
+		});
 }
 
 void WriteNonFinite(FJsonWriter& Writer, const FNonFiniteSpread& Spread)
 {
 	Writer.Key("nonFinite").BeginObject();
-	Writer.Key("passes").BeginArray();
-	for (const FNonFiniteFootprint& Pass : Spread.Passes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("pass", Pass.Pass);
-		Writer.Member("pixels", Pass.Pixels);
-		Writer.Member("of", Pass.NumPixels);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("passes", Spread.Passes,
+		[&](const FNonFiniteFootprint& Pass) {
+			Writer.Object({{"pass", Pass.Pass}, {"pixels", Pass.Pixels}, {"of", Pass.NumPixels}});
+		});
 	if (Spread.Final)
 	{
-		Writer.Key("final").BeginObject(true);
-		Writer.Member("pixels", Spread.Final->NumPixels);
-		Writer.Member("changed", Spread.Final->Changed);
-		Writer.Member("white", Spread.Final->White);
-		Writer.Member("notFinite", Spread.Final->NotFinite);
-		Writer.EndObject();
+		Writer.Key("final").Object({{"pixels", Spread.Final->NumPixels}, {"changed", Spread.Final->Changed},
+			{"white", Spread.Final->White}, {"notFinite", Spread.Final->NotFinite}});
 	}
 	Writer.EndObject();
 }
@@ -308,10 +287,7 @@ void WriteBefore(FJsonWriter& Writer, const FReportBefore& Before)
 	Writer.Key("previous").BeginObject();
 	Writer.Member("written", Before.When);
 	Writer.Key("run").Raw(Before.RunJson);
-	if (!Before.TimingJson.empty())
-	{
-		Writer.Key("timing").Raw(Before.TimingJson);
-	}
+	Writer.RawMember("timing", Before.TimingJson);
 	Writer.EndObject();
 }
 
@@ -347,25 +323,15 @@ FReportBefore ReadReportBefore(const std::string& Folder)
 std::string MakeReportData(const FReportInputs& Inputs)
 {
 	FJsonWriter Writer;
-	const auto Report = [&Writer](const char* Name, const std::string& Json)
-	{
-		if (!Json.empty())
-		{
-			Writer.Key(Name).Raw(Json);
-		}
-	};
 	Writer.BeginObject();
-	Writer.Member("format", "drydock-report");
-	Writer.Member("formatVersion", 1);
-	Writer.Member("kind", "run");
-	Writer.Member("name", Inputs.Name);
-	Writer.Member("written", Inputs.When.empty() ? FormatReportTime(std::time(nullptr)) : Inputs.When);
-	Report("run", Inputs.Result.RunJson);
-	Report("timing", Inputs.TimingJson);
-	Report("graph", MakeGraphJson(Inputs.Result.Graph));
-	Report("explain", Inputs.ExplainJson);
-	Report("blend", Inputs.BlendJson);
-	Report("walk", Inputs.WalkJson);
+	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "run"}, {"name", Inputs.Name},
+		{"written", Inputs.When.empty() ? FormatReportTime(std::time(nullptr)) : Inputs.When}});
+	Writer.RawMember("run", Inputs.Result.RunJson);
+	Writer.RawMember("timing", Inputs.TimingJson);
+	Writer.RawMember("graph", MakeGraphJson(Inputs.Result.Graph));
+	Writer.RawMember("explain", Inputs.ExplainJson);
+	Writer.RawMember("blend", Inputs.BlendJson);
+	Writer.RawMember("walk", Inputs.WalkJson);
 	WritePasses(Writer, Inputs.Result);
 	WriteSettings(Writer, Inputs.Result);
 	WriteNonFinite(Writer, Inputs.Result.NonFinite);

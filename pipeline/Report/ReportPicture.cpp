@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
 #include <zlib.h>
 
 namespace Drydock
@@ -20,15 +19,9 @@ namespace
 
 const char* GetReportEncodingName(EReportEncoding Encoding)
 {
-	switch (Encoding)
-	{
-	case EReportEncoding::Srgb:
-		return "srgb";
-	case EReportEncoding::Compressed:
-		return "compressed";
-	default:
-		return "display";
-	}
+	return Encoding == EReportEncoding::Srgb         ? "srgb"
+		   : Encoding == EReportEncoding::Compressed ? "compressed"
+													 : "display";
 }
 
 template<typename T>
@@ -58,26 +51,10 @@ std::string SplitPlanes(const FPicture& Picture, T (*Convert)(float))
 	return Bytes;
 }
 
-template<typename T>
-void WriteList(FJsonWriter& Writer, const char* Name, const T& List)
-{
-	Writer.Key(Name).BeginArray(true);
-	for (const auto& Element : List)
-	{
-		Writer.Value(Element);
-	}
-	Writer.EndArray();
-}
-
 void WriteFigures(FJsonWriter& Writer, const FPictureFigures& Figures)
 {
-	Writer.Key("figures").BeginObject(true);
-	WriteList(Writer, "min", Figures.Min);
-	WriteList(Writer, "max", Figures.Max);
-	Writer.Member("nan", Figures.NumNaN);
-	Writer.Member("infinite", Figures.NumInfinite);
-	Writer.Member("negative", Figures.NumNegative);
-	Writer.EndObject();
+	Writer.Key("figures").Object({{"min", Figures.Min}, {"max", Figures.Max}, {"nan", Figures.NumNaN},
+		{"infinite", Figures.NumInfinite}, {"negative", Figures.NumNegative}});
 }
 
 } // namespace
@@ -92,8 +69,7 @@ bool FPictureFigures::IsInDisplayRange() const
 	{
 		return Value <= 1.0;
 	};
-	return NumNaN + NumInfinite == 0 && std::all_of(Min.begin(), Min.end(), IsFrom0) &&
-		   std::all_of(Max.begin(), Max.end(), IsTo1);
+	return NumNaN + NumInfinite == 0 && std::ranges::all_of(Min, IsFrom0) && std::ranges::all_of(Max, IsTo1);
 }
 
 FPictureFigures MeasurePicture(const FPicture& Picture)
@@ -155,17 +131,9 @@ FPackedValues PackValues(const FPicture& Picture)
 void WriteReportPicture(FJsonWriter& Writer, const FReportPicture& Picture)
 {
 	Writer.BeginObject();
-	Writer.Member("id", Picture.Id);
-	Writer.Member("role", Picture.Role);
-	Writer.Member("label", Picture.Label);
-	Writer.Member("pass", Picture.Pass);
-	Writer.Member("resource", Picture.Resource);
-	Writer.Member("mip", Picture.Mip);
-	WriteList(Writer, "extent", Picture.Extent);
-	WriteList(Writer, "corner", Picture.Corner);
-	WriteList(Writer, "size", Picture.Size);
-	WriteList(Writer, "channels", Picture.Channels);
-	Writer.Member("encoding", GetReportEncodingName(Picture.Encoding));
+	Writer.Members({{"id", Picture.Id}, {"role", Picture.Role}, {"label", Picture.Label}, {"pass", Picture.Pass},
+		{"resource", Picture.Resource}, {"mip", Picture.Mip}, {"extent", Picture.Extent}, {"corner", Picture.Corner},
+		{"size", Picture.Size}, {"channels", Picture.Channels}, {"encoding", GetReportEncodingName(Picture.Encoding)}});
 	if (Picture.Values != nullptr)
 	{
 		WriteFigures(Writer, MeasurePicture(*Picture.Values));
@@ -174,22 +142,14 @@ void WriteReportPicture(FJsonWriter& Writer, const FReportPicture& Picture)
 	if (Picture.Values != nullptr && Picture.bPack)
 	{
 		const FPackedValues Packed = PackValues(*Picture.Values);
-		Writer.Key("values").BeginObject(true);
-		Writer.Member("type", Packed.Type);
-		Writer.Member("zlib", EncodeBase64(Packed.Bytes));
-		Writer.EndObject();
+		Writer.Key("values").Object({{"type", Packed.Type}, {"zlib", EncodeBase64(Packed.Bytes)}});
 	}
 	Writer.EndObject();
 }
 
 void WriteReportPictures(FJsonWriter& Writer, const std::vector<FReportPicture>& Pictures)
 {
-	Writer.Key("pictures").BeginArray();
-	for (const FReportPicture& Picture : Pictures)
-	{
-		WriteReportPicture(Writer, Picture);
-	}
-	Writer.EndArray();
+	Writer.Array("pictures", Pictures, [&](const FReportPicture& Picture) { WriteReportPicture(Writer, Picture); });
 }
 
 } // namespace Drydock

@@ -69,12 +69,6 @@ std::optional<double> ReadMilliseconds(const std::filesystem::path& Folder)
 	return bKnown ? std::optional(Root.GetNumber("executeMs", 0.0)) : std::nullopt;
 }
 
-void WriteOptional(FJsonWriter& Writer, const char* Key, const std::optional<double>& Number)
-{
-	Writer.Key(Key);
-	Number ? Writer.Value(*Number) : Writer.Null();
-}
-
 FReportPicture MakeFramePicture(const FImage& Image, int Frame)
 {
 	FReportPicture Picture;
@@ -96,18 +90,10 @@ std::string MakeSequencePageData(
 	const std::set<size_t> Shown(Chosen.begin(), Chosen.end());
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("format", "drydock-report");
-	Writer.Member("formatVersion", 1);
-	Writer.Member("kind", "sequence");
-	Writer.Member("name", Name);
-	Writer.Member("version", GetVersion());
-	Writer.Member("written", When);
-	Writer.Member("framesPerSecond", Result.FramesPerSecond);
+	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "sequence"}, {"name", Name},
+		{"version", GetVersion()}, {"written", When}, {"framesPerSecond", Result.FramesPerSecond}});
 	Writer.Key("sequence").Raw(Result.SequenceJson);
-	if (!WalkJson.empty())
-	{
-		Writer.Key("walk").Raw(WalkJson);
-	}
+	Writer.RawMember("walk", WalkJson);
 	std::vector<FReportPicture> Pictures;
 	FImage Before;
 	Writer.Key("figures").BeginArray();
@@ -115,13 +101,9 @@ std::string MakeSequencePageData(
 	{
 		FImage Image = ReadPicture(Result.Pictures[Index]);
 		const FFrameFigures Figures = MeasureFrame(Image, Before);
-		Writer.BeginObject(true);
-		Writer.Member("frame", Result.Frames[Index]);
-		Writer.Member("mean", Figures.Mean);
-		Writer.Member("white", Figures.White);
-		WriteOptional(Writer, "change", Figures.Change);
-		WriteOptional(Writer, "ms", ReadMilliseconds(std::filesystem::path(Result.Pictures[Index]).parent_path()));
-		Writer.EndObject();
+		Writer.Object({{"frame", Result.Frames[Index]}, {"mean", Figures.Mean}, {"white", Figures.White},
+			{"change", Figures.Change},
+			{"ms", ReadMilliseconds(std::filesystem::path(Result.Pictures[Index]).parent_path())}});
 		if (Shown.count(Index) > 0)
 		{
 			Pictures.push_back(MakeFramePicture(Image, Result.Frames[Index]));

@@ -14,50 +14,42 @@ std::string MakeStudyPageData(
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("format", "drydock-report");
-	Writer.Member("formatVersion", 1);
-	Writer.Member("kind", "study");
-	Writer.Member("name", Result.Name);
-	Writer.Member("written", When);
+	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "study"}, {"name", Result.Name},
+		{"written", When}});
 	Writer.Key("study").Raw(MakeStudyJson(Result));
 	Writer.Key("timing").Raw(MakeStudyTimingJson(Result));
-	Writer.Key("charts").BeginArray();
-	for (const FStudyJob& Job : Result.Jobs)
-	{
-		Writer.BeginObject();
-		for (const auto& [Name, Cost] : {std::pair("time", EStudyCost::Milliseconds), {"taps", EStudyCost::Taps}})
-		{
-			Writer.Key(Name).BeginObject();
-			for (const char* Metric : {"max", "rms", "relative", "psnr", "ssim"})
-			{
-				Writer.Key(Metric);
-				WriteChartPanel(Writer, MakeStudyPanel(Result, Job, Cost, Metric));
-			}
-			Writer.EndObject();
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("insets").BeginArray();
-	for (const FStudyInsetRow& Row : Insets)
-	{
-		Writer.BeginObject();
-		Writer.Member("title", Row.Title);
-		Writer.Key("pictures").BeginArray();
-		for (const FStudyInset& Inset : Row.Insets)
+	Writer.Array("charts", Result.Jobs,
+		[&](const FStudyJob& Job)
 		{
 			Writer.BeginObject();
-			Writer.Member("title", Inset.Title);
-			Writer.Member("subtitle", Inset.Subtitle);
-			Writer.Member("png", EncodeBase64(Inset.Png));
-			Writer.Member("heat", EncodeBase64(Inset.HeatPng));
-			Writer.Member("heatTitle", Inset.HeatTitle);
+			for (const auto& [Name, Cost] : {std::pair("time", EStudyCost::Milliseconds), {"taps", EStudyCost::Taps}})
+			{
+				Writer.Key(Name).BeginObject();
+				for (const char* Metric : {"max", "rms", "relative", "psnr", "ssim"})
+				{
+					Writer.Key(Metric);
+					WriteChartPanel(Writer, MakeStudyPanel(Result, Job, Cost, Metric));
+				}
+				Writer.EndObject();
+			}
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
+	Writer.Array("insets", Insets,
+		[&](const FStudyInsetRow& Row)
+		{
+			Writer.BeginObject();
+			Writer.Member("title", Row.Title);
+			Writer.Array("pictures", Row.Insets,
+				[&](const FStudyInset& Inset)
+				{
+					Writer.BeginObject();
+					Writer.Members(
+						{{"title", Inset.Title}, {"subtitle", Inset.Subtitle}, {"png", EncodeBase64(Inset.Png)},
+							{"heat", EncodeBase64(Inset.HeatPng)}, {"heatTitle", Inset.HeatTitle}});
+					Writer.EndObject();
+				});
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

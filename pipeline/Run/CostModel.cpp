@@ -7,8 +7,6 @@
 #include "Text/JsonWriter.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 #include <iterator>
 #include <set>
 

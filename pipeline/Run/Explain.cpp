@@ -32,8 +32,8 @@ FExplainedCost MakeCost(const FRunResult& Result, const FCostModel& Model, const
 	FExplainedCost Cost;
 	Cost.TransientBytes = Result.Graph.Memory.TransientPeakBytes;
 	Cost.SceneBytes = Result.SceneTextureBytes;
-	Cost.NumChannels = static_cast<int>(std::count_if(
-		Result.Channels.begin(), Result.Channels.end(), [](const FSceneChannel& Channel) { return Channel.bDecoded; }));
+	Cost.NumChannels = static_cast<int>(
+		std::ranges::count_if(Result.Channels, [](const FSceneChannel& Channel) { return Channel.bDecoded; }));
 	const std::string Conditions = MakeCostConditions(Result);
 	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
 	{
@@ -61,7 +61,7 @@ std::vector<std::string> NameResources(const FRDGCompiledGraph& Graph, const FRD
 	{
 		const std::string& Name = Graph.Resources[static_cast<size_t>(Use.Resource)].Name;
 		const bool bWanted = bWritten ? Use.IsWrite() : Use.IsRead();
-		if (bWanted && std::find(Names.begin(), Names.end(), Name) == Names.end())
+		if (bWanted && std::ranges::find(Names, Name) == Names.end())
 		{
 			Names.push_back(Name);
 		}
@@ -74,8 +74,7 @@ std::vector<std::string> NameReaders(const FRDGCompiledGraph& Graph, const FRDGC
 	std::vector<std::string> Names;
 	for (const FRDGCompiledPass& Other : Graph.Passes)
 	{
-		const bool bReads =
-			std::find(Other.Producers.begin(), Other.Producers.end(), Pass.Index) != Other.Producers.end();
+		const bool bReads = std::ranges::find(Other.Producers, Pass.Index) != Other.Producers.end();
 		if (bReads && !Other.bCulled && !Other.bIsSentinel)
 		{
 			Names.push_back(Other.Name);
@@ -112,8 +111,7 @@ void AddToRow(const FExplainedPass& Pass, double Megabytes, TRow& Row)
 
 FExplainedPlugin& FindPlugin(FExplainReport& Report, const std::string& Name)
 {
-	const auto Known = std::find_if(Report.Plugins.begin(), Report.Plugins.end(),
-		[&Name](const FExplainedPlugin& Plugin) { return Plugin.Name == Name; });
+	const auto Known = std::ranges::find(Report.Plugins, Name, &FExplainedPlugin::Name);
 	return Known != Report.Plugins.end() ? *Known : Report.Plugins.emplace_back(FExplainedPlugin{Name});
 }
 
@@ -127,8 +125,7 @@ void AddDetails(const FRunResult& Frame, const FRDGCompiledPass& Pass, FExplaine
 	{
 		Explained.MergedInto = Frame.Graph.Passes[static_cast<size_t>(Pass.RenderPassBegin)].Name;
 	}
-	const auto Run = std::find_if(Frame.Passes.begin(), Frame.Passes.end(),
-		[&Pass](const FRunPass& Candidate) { return Candidate.Index == Pass.Index; });
+	const auto Run = std::ranges::find(Frame.Passes, Pass.Index, &FRunPass::Index);
 	if (Run != Frame.Passes.end() && !Run->SameAs.empty())
 	{
 		Explained.Silent = DescribeSilentPass({Run->SameAs, Run->SameBecause});
@@ -139,7 +136,7 @@ void AddDetails(const FRunResult& Frame, const FRDGCompiledPass& Pass, FExplaine
 
 FMeasuredSaving MakeMeasuredSaving(std::vector<double> Samples)
 {
-	std::sort(Samples.begin(), Samples.end());
+	std::ranges::sort(Samples);
 	return {Samples.front(), Samples[Samples.size() / 2], Samples.back(), static_cast<int>(Samples.size())};
 }
 
@@ -183,7 +180,7 @@ FExplainReport MakeExplainReport(const FRunResult& Frame, const FRunResult& NoSk
 		}
 		AddDetails(Frame, Pass, Explained);
 		const double Megabytes = GetMegabytesWritten(Frame.Graph, Pass);
-		const auto Effect = std::find_if(Report.Effects.begin(), Report.Effects.end(),
+		const auto Effect = std::ranges::find_if(Report.Effects,
 			[&](const FExplainedEffect& Candidate) { return Candidate.Decision.GetName() == Explained.Effect; });
 		if (!Pass.Owner.empty())
 		{

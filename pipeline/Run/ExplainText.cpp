@@ -6,8 +6,6 @@
 #include "Text/TextTable.h"
 #include "TextTools.h"
 
-#include <algorithm>
-
 namespace Drydock
 {
 
@@ -115,12 +113,8 @@ std::vector<std::string> MakePassRow(const FExplainedPass& Pass)
 
 [[noreturn]] void ThrowUnknown(const char* Thing, const std::string& Name, const std::vector<std::string>& Names)
 {
-	const std::string Nearest = FindNearestName(Name, Names);
-	const std::string Hint = Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
-	throw FError({.Code = ErrorBadArgument,
-					 .Message = fmt::format("this frame has no {} {}{}", Thing, Name, Hint),
-					 .Where = std::string("--") + Thing},
-		ExitUsage);
+	const std::string Hint = SuggestName(Name, Names);
+	throw BadArgument(fmt::format("this frame has no {} {}{}", Thing, Name, Hint), std::string("--") + Thing);
 }
 
 /** By its whole name, its index, or the name without what follows it ("BloomSetup" for "BloomSetup 480x270 (PS)"). */
@@ -133,26 +127,9 @@ bool IsCalled(const FExplainedPass& Pass, const std::string& Name)
 
 void WriteCost(FJsonWriter& Writer, const char* Key, const FExplainedCost& Cost)
 {
-	Writer.Key(Key).BeginObject(true);
-	Writer.Member("passes", Cost.NumPasses);
-	Writer.Member("channels", Cost.NumChannels);
-	Writer.Member("texels", Cost.Texels);
-	Writer.Member("taps", Cost.Taps);
-	Writer.Member("bytesMoved", Cost.BytesMoved);
-	Writer.Member("transientPeakBytes", Cost.TransientBytes);
-	Writer.Member("sceneTextureBytes", Cost.SceneBytes);
-	Writer.Member("ms", Cost.Milliseconds);
-	Writer.EndObject();
-}
-
-void WriteNames(FJsonWriter& Writer, const char* Key, const std::vector<std::string>& Names)
-{
-	Writer.Key(Key).BeginArray(true);
-	for (const std::string& Name : Names)
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
+	Writer.Key(Key).Object({{"passes", Cost.NumPasses}, {"channels", Cost.NumChannels}, {"texels", Cost.Texels},
+		{"taps", Cost.Taps}, {"bytesMoved", Cost.BytesMoved}, {"transientPeakBytes", Cost.TransientBytes},
+		{"sceneTextureBytes", Cost.SceneBytes}, {"ms", Cost.Milliseconds}});
 }
 
 } // namespace
@@ -264,64 +241,37 @@ std::string MakeExplainJson(const FExplainReport& Report)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("config", Report.Config);
-	Writer.Member("measured", Report.bMeasured);
-	Writer.Key("effects").BeginArray();
-	for (const FExplainedEffect& Effect : Report.Effects)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Effect.Decision.GetName());
-		Writer.Member("active", Effect.Decision.bActive);
-		Writer.Member("reason", Effect.Decision.Reason);
-		Writer.Member("passes", Effect.NumPasses);
-		Writer.Member("culled", Effect.NumCulled);
-		Writer.Member("ms", Effect.Milliseconds);
-		Writer.Member("megabytes", Effect.Megabytes);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("plugins").BeginArray();
-	for (const FExplainedPlugin& Plugin : Report.Plugins)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Plugin.Name);
-		Writer.Member("passes", Plugin.NumPasses);
-		Writer.Member("culled", Plugin.NumCulled);
-		Writer.Member("ms", Plugin.Milliseconds);
-		Writer.Member("megabytes", Plugin.Megabytes);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("passes").BeginArray();
-	for (const FExplainedPass& Pass : Report.Passes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("index", Pass.Index);
-		Writer.Member("name", Pass.Name);
-		Writer.Member("effect", Pass.Effect);
-		Writer.Member("executes", Pass.bExecutes);
-		Writer.Member("reason", Pass.Reason);
-		Writer.Member("ms", Pass.Milliseconds);
-		Writer.Member("mergeReason", Pass.MergeReason);
-		Writer.Member("mergedInto", Pass.MergedInto);
-		Writer.Member("silent", Pass.Silent);
-		WriteValues(Writer, Pass.Values);
-		WriteNames(Writer, "reads", Pass.Reads);
-		WriteNames(Writer, "writes", Pass.Writes);
-		WriteNames(Writer, "readers", Pass.Readers);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Members({{"config", Report.Config}, {"measured", Report.bMeasured}});
+	Writer.Array("effects", Report.Effects,
+		[&](const FExplainedEffect& Effect)
+		{
+			Writer.Object({{"name", Effect.Decision.GetName()}, {"active", Effect.Decision.bActive},
+				{"reason", Effect.Decision.Reason}, {"passes", Effect.NumPasses}, {"culled", Effect.NumCulled},
+				{"ms", Effect.Milliseconds}, {"megabytes", Effect.Megabytes}});
+		});
+	Writer.Array("plugins", Report.Plugins,
+		[&](const FExplainedPlugin& Plugin)
+		{
+			Writer.Object({{"name", Plugin.Name}, {"passes", Plugin.NumPasses}, {"culled", Plugin.NumCulled},
+				{"ms", Plugin.Milliseconds}, {"megabytes", Plugin.Megabytes}});
+		});
+	Writer.Array("passes", Report.Passes,
+		[&](const FExplainedPass& Pass)
+		{
+			Writer.BeginObject(true);
+			Writer.Members({{"index", Pass.Index}, {"name", Pass.Name}, {"effect", Pass.Effect},
+				{"executes", Pass.bExecutes}, {"reason", Pass.Reason}, {"ms", Pass.Milliseconds},
+				{"mergeReason", Pass.MergeReason}, {"mergedInto", Pass.MergedInto}, {"silent", Pass.Silent}});
+			WriteValues(Writer, Pass.Values);
+			Writer.Members({{"reads", Pass.Reads}, {"writes", Pass.Writes}, {"readers", Pass.Readers}});
+			Writer.EndObject();
+		});
 	WriteCost(Writer, "cost", Report.Cost);
 	WriteCost(Writer, "withoutSkipping", Report.WithoutSkipping);
 	if (Report.Saved)
 	{
-		Writer.Key("savedMs").BeginObject(true);
-		Writer.Member("least", Report.Saved->Least);
-		Writer.Member("median", Report.Saved->Median);
-		Writer.Member("most", Report.Saved->Most);
-		Writer.Member("pairs", Report.Saved->NumPairs);
-		Writer.EndObject();
+		Writer.Key("savedMs").Object({{"least", Report.Saved->Least}, {"median", Report.Saved->Median},
+			{"most", Report.Saved->Most}, {"pairs", Report.Saved->NumPairs}});
 	}
 	Writer.EndObject();
 	return Writer.GetText();

@@ -5,6 +5,7 @@
 #include "ShaderParameterMetadata.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstring>
@@ -21,8 +22,7 @@ bool FollowsFromViewport(const std::string& Name)
 	constexpr const char* Derived[] = {".ExtentInverse", ".ScreenPosToViewportScale", ".ScreenPosToViewportBias",
 		".ViewportSize", ".ViewportSizeInverse", ".UVViewportMin", ".UVViewportMax", ".UVViewportSize",
 		".UVViewportSizeInverse", ".UVViewportBilinearMin", ".UVViewportBilinearMax"};
-	return std::any_of(
-		std::begin(Derived), std::end(Derived), [&Name](const char* Ending) { return Name.ends_with(Ending); });
+	return std::ranges::any_of(Derived, [&Name](const char* Ending) { return Name.ends_with(Ending); });
 }
 
 template<typename T>
@@ -79,12 +79,7 @@ std::vector<FPassValue> ReadPassValues(const FRDGPass& Pass)
 
 std::string FormatPassValues(const std::vector<FPassValue>& Values)
 {
-	std::string Text;
-	for (const FPassValue& Value : Values)
-	{
-		Text += (Text.empty() ? "" : ", ") + Value.Name + " = " + Value.Value;
-	}
-	return Text;
+	return JoinText(Values, ", ", [&](const FPassValue& Value) { return Value.Name + " = " + Value.Value; });
 }
 
 void WriteValues(FJsonWriter& Writer, const std::vector<FPassValue>& Values)

@@ -8,6 +8,7 @@
 #include "Text/GlobPattern.h"
 #include "Text/TextFormat.h"
 #include "TileExecutor.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,11 +23,8 @@ namespace
 /** Names that a pattern could have meant. */
 std::vector<std::string> GetDumpCandidates(const FRDGCompiledGraph& Graph)
 {
-	std::vector<std::string> Names;
-	for (const FRDGCompiledPass& Pass : Graph.Passes)
-	{
-		Names.push_back(GetShortPassName(Pass.Name));
-	}
+	auto Names =
+		ToVector<std::string>(Graph.Passes, [&](const FRDGCompiledPass& Pass) { return GetShortPassName(Pass.Name); });
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
 		Names.push_back(Resource.Name);
@@ -71,7 +69,7 @@ bool IsDumped(
 	const std::vector<TConfigValue<std::string>>& Patterns, const std::string& Pass, const std::string& Resource)
 {
 	const std::string Short = GetShortPassName(Pass);
-	return std::any_of(Patterns.begin(), Patterns.end(),
+	return std::ranges::any_of(Patterns,
 		[&](const TConfigValue<std::string>& Pattern)
 		{
 			const auto Fits = [&](const std::string& Name)
@@ -100,8 +98,7 @@ TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent)
 	const std::vector<FHlslMember>& Members = Pass.GetParametersMetadata()->GetHlslMembers();
 	const auto Find = [&](const char* Name, EUniformBufferBaseType Type, auto& Value)
 	{
-		const auto Member = std::find_if(Members.begin(), Members.end(),
-			[&](const FHlslMember& Each)
+		const auto Member = std::ranges::find_if(Members, [&](const FHlslMember& Each)
 			{ return Each.Name == Name && Each.BaseType == Type && Each.NumColumns == 2 && Each.NumElements == 0; });
 		if (Member != Members.end())
 		{
@@ -124,8 +121,8 @@ std::vector<FDiagnostic> CheckDumpPatterns(
 	FConfigMessages Messages(Result.Config.File, Diagnostics);
 	for (const TConfigValue<std::string>& Pattern : Patterns)
 	{
-		const bool bUsed = std::any_of(Result.Dumps.begin(), Result.Dumps.end(),
-			[&](const FRunDump& Dump) { return IsDumped({Pattern}, Dump.Pass, Dump.Resource); });
+		const bool bUsed = std::ranges::any_of(
+			Result.Dumps, [&](const FRunDump& Dump) { return IsDumped({Pattern}, Dump.Pass, Dump.Resource); });
 		if (bUsed)
 		{
 			continue;

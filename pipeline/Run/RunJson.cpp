@@ -9,6 +9,7 @@
 #include "Text/Version.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <fstream>
 
@@ -36,110 +37,73 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndObject();
 }
 
-void WriteFigure(FJsonWriter& Writer, const FFigure& Figure)
-{
-	if (const double* const Number = std::get_if<double>(&Figure.Value))
-	{
-		Writer.Member(Figure.Name.c_str(), *Number);
-	}
-	else if (const uint64_t* const Count = std::get_if<uint64_t>(&Figure.Value))
-	{
-		Writer.Member(Figure.Name.c_str(), *Count);
-	}
-	else
-	{
-		Writer.Key(Figure.Name.c_str()).BeginArray(true);
-		for (const uint64_t Count : std::get<std::vector<uint64_t>>(Figure.Value))
-		{
-			Writer.Value(Count);
-		}
-		Writer.EndArray();
-	}
-}
-
 void WriteEffects(
 	FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects, const FFiguresByEffect& FiguresByEffect)
 {
-	Writer.Key("effects").BeginArray();
-	for (const FEffectDecision& Effect : Effects)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Effect.GetName());
-		Writer.Member("active", Effect.bActive);
-		Writer.Member("reason", Effect.Reason);
-		const auto Figures = FiguresByEffect.find(Effect.GetId());
-		if (Figures != FiguresByEffect.end())
+	Writer.Array("effects", Effects,
+		[&](const FEffectDecision& Effect)
 		{
-			for (const FFigureGroup& Group : Figures->second.Groups)
+			Writer.BeginObject(true);
+			Writer.Members({{"name", Effect.GetName()}, {"active", Effect.bActive}, {"reason", Effect.Reason}});
+			const auto Figures = FiguresByEffect.find(Effect.GetId());
+			if (Figures != FiguresByEffect.end())
 			{
-				Writer.Key(Group.Name.c_str()).BeginObject(true);
-				for (const FFigure& Figure : Group.Figures)
+				for (const FFigureGroup& Group : Figures->second.Groups)
 				{
-					WriteFigure(Writer, Figure);
+					Writer.Key(Group.Name.c_str()).BeginObject(true);
+					for (const FFigure& Figure : Group.Figures)
+					{
+						std::visit([&](const auto& Value) { Writer.Member(Figure.Name.c_str(), Value); }, Figure.Value);
+					}
+					Writer.EndObject();
 				}
-				Writer.EndObject();
 			}
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			Writer.EndObject();
+		});
 }
 
 void WriteHookCalls(FJsonWriter& Writer, const FRunResult& Result)
 {
-	Writer.Key("extensionCalls").BeginArray();
-	for (const FHookCall& Call : Result.HookCalls)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("hook", Call.Hook);
-		Writer.Member("view", Call.View);
-		Writer.Member("extension", Call.Extension);
-		Writer.Member("did", Call.Did);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Array("extensionCalls", Result.HookCalls,
+		[&](const FHookCall& Call) {
+			Writer.Object({{"hook", Call.Hook}, {"view", Call.View}, {"extension", Call.Extension}, {"did", Call.Did}});
+		});
 }
 
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
-	Writer.Key("passes").BeginArray();
-	for (const FRDGCompiledPass& Pass : Result.Graph.Passes)
-	{
-		if (Pass.bIsSentinel)
+	Writer.Array("passes", Result.Graph.Passes,
+		[&](const FRDGCompiledPass& Pass)
 		{
-			continue;
-		}
-		const FRunPass* Run = FindRunPass(Result, Pass.Index);
-		const FPassCounters Counters = Run != nullptr ? Run->Counters : FPassCounters();
-		Writer.BeginObject(true);
-		Writer.Member("index", Pass.Index);
-		Writer.Member("name", Pass.Name);
-		Writer.Member("executed", Run != nullptr);
-		Writer.Member("reason", Result.Graph.DescribeCulled(Pass));
-		Writer.Member("shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader);
-		Writer.Member("entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry);
-		Writer.Member("runsAs", Run != nullptr ? DescribeShaderRun(Counters.Ran) : Pass.RunsAs);
-		Writer.Member("pixels", Counters.Pixels);
-		Writer.Member("taps", Run != nullptr ? Run->Taps : std::optional<uint64_t>(0));
-		Writer.Member("bytesRead", Counters.BytesRead);
-		Writer.Member("bytesWritten", Counters.BytesWritten);
-		if (Run != nullptr && !Run->SameAs.empty())
-		{
-			Writer.Member("sameAs", Run->SameAs);
-			Writer.Member("because", Run->SameBecause);
-		}
-		if (Run != nullptr && !Run->Written.empty())
-		{
-			Writer.Key("written").BeginObject();
-			for (const FRunFingerprint& Texture : Run->Written)
+			if (Pass.bIsSentinel)
 			{
-				Writer.Member(Texture.Resource, Texture.Fingerprint);
+				return;
+			}
+			const FRunPass* Run = FindRunPass(Result, Pass.Index);
+			const FPassCounters Counters = Run != nullptr ? Run->Counters : FPassCounters();
+			Writer.BeginObject(true);
+			Writer.Members({{"index", Pass.Index}, {"name", Pass.Name}, {"executed", Run != nullptr},
+				{"reason", Result.Graph.DescribeCulled(Pass)},
+				{"shader", Pass.Shader.empty() ? Counters.Shader : Pass.Shader},
+				{"entry", Pass.Entry.empty() ? Counters.Entry : Pass.Entry},
+				{"runsAs", Run != nullptr ? DescribeShaderRun(Counters.Ran) : Pass.RunsAs}, {"pixels", Counters.Pixels},
+				{"taps", Run != nullptr ? Run->Taps : std::optional<uint64_t>(0)}, {"bytesRead", Counters.BytesRead},
+				{"bytesWritten", Counters.BytesWritten}});
+			if (Run != nullptr && !Run->SameAs.empty())
+			{
+				Writer.Members({{"sameAs", Run->SameAs}, {"because", Run->SameBecause}});
+			}
+			if (Run != nullptr && !Run->Written.empty())
+			{
+				Writer.Key("written").BeginObject();
+				for (const FRunFingerprint& Texture : Run->Written)
+				{
+					Writer.Member(Texture.Resource, Texture.Fingerprint);
+				}
+				Writer.EndObject();
 			}
 			Writer.EndObject();
-		}
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 }
 
 void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
@@ -179,32 +143,22 @@ void WriteOutputs(FJsonWriter& Writer, const FRunResult& Result)
 
 void WriteWarnings(FJsonWriter& Writer, const FRunResult& Result)
 {
-	Writer.Key("warnings").BeginArray();
-	for (const FDiagnostic& Diagnostic : Result.Diagnostics)
-	{
-		std::string Where = Diagnostic.File;
-		if (Diagnostic.Line > 0)
+	Writer.Array("warnings", Result.Diagnostics,
+		[&](const FDiagnostic& Diagnostic)
 		{
-			Where += ":" + std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column);
-		}
-		Where += (Where.empty() || Diagnostic.Where.empty() ? "" : " ") + Diagnostic.Where;
-		Writer.BeginObject(true);
-		Writer.Member("code", FormatCode(Diagnostic.Code));
-		Writer.Member("message", Diagnostic.Message);
-		Writer.Member("where", Where);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			std::string Where = Diagnostic.File;
+			if (Diagnostic.Line > 0)
+			{
+				Where += ":" + std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column);
+			}
+			Where += (Where.empty() || Diagnostic.Where.empty() ? "" : " ") + Diagnostic.Where;
+			Writer.Object({{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Where}});
+		});
 }
 
-void WriteSize(FJsonWriter& Writer, const char* Name, std::initializer_list<int32> Numbers)
+std::array<int32, 4> ListCorners(const FIntRect& Rect)
 {
-	Writer.Key(Name).BeginArray(true);
-	for (const int32 Number : Numbers)
-	{
-		Writer.Value(Number);
-	}
-	Writer.EndArray();
+	return {Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y};
 }
 
 /** Writes the result of "auto"; nothing for a number. */
@@ -214,25 +168,15 @@ void WriteExposure(FJsonWriter& Writer, const std::optional<FExposureReport>& Ex
 	{
 		return;
 	}
-	Writer.Member("method", Exposure->Method);
-	Writer.Member("targetScale", Exposure->TargetScale);
-	Writer.Member("averageLuminance", Exposure->AverageLuminance);
-	Writer.Member("ev100", Exposure->EV100);
-	Writer.Member("compensation", Exposure->Compensation);
-	Writer.Member("averageLocalExposure", Exposure->AverageLocalExposure);
+	Writer.Members({{"method", Exposure->Method}, {"targetScale", Exposure->TargetScale},
+		{"averageLuminance", Exposure->AverageLuminance}, {"ev100", Exposure->EV100},
+		{"compensation", Exposure->Compensation}, {"averageLocalExposure", Exposure->AverageLocalExposure}});
 	if (Exposure->Histogram)
 	{
 		Writer.Key("histogram").BeginObject();
-		Writer.Member("logMin", Exposure->Histogram->LogMin);
-		Writer.Member("logMax", Exposure->Histogram->LogMax);
-		Writer.Member("lowPercent", Exposure->Histogram->LowPercent);
-		Writer.Member("highPercent", Exposure->Histogram->HighPercent);
-		Writer.Key("buckets").BeginArray(true);
-		for (const double Bucket : Exposure->Histogram->Buckets)
-		{
-			Writer.Value(Bucket);
-		}
-		Writer.EndArray();
+		Writer.Members({{"logMin", Exposure->Histogram->LogMin}, {"logMax", Exposure->Histogram->LogMax},
+			{"lowPercent", Exposure->Histogram->LowPercent}, {"highPercent", Exposure->Histogram->HighPercent},
+			{"buckets", Exposure->Histogram->Buckets}});
 		Writer.EndObject();
 	}
 }
@@ -244,23 +188,21 @@ void WriteViews(FJsonWriter& Writer, const FRunResult& Result)
 	{
 		return;
 	}
-	Writer.Key("views").BeginArray();
-	for (const FRunView& View : Result.Views)
-	{
-		Writer.BeginObject();
-		Writer.Member("name", View.Name);
-		WriteSize(Writer, "rect", {View.Rect.Min.X, View.Rect.Min.Y, View.Rect.Max.X, View.Rect.Max.Y});
-		Writer.Member("exposureScale", View.ExposureScale);
-		if (View.Exposure)
+	Writer.Array("views", Result.Views,
+		[&](const FRunView& View)
 		{
-			Writer.Key("exposure").BeginObject();
-			WriteExposure(Writer, View.Exposure);
+			Writer.BeginObject();
+			Writer.Members(
+				{{"name", View.Name}, {"rect", ListCorners(View.Rect)}, {"exposureScale", View.ExposureScale}});
+			if (View.Exposure)
+			{
+				Writer.Key("exposure").BeginObject();
+				WriteExposure(Writer, View.Exposure);
+				Writer.EndObject();
+			}
+			WriteEffects(Writer, View.Effects, View.Figures);
 			Writer.EndObject();
-		}
-		WriteEffects(Writer, View.Effects, View.Figures);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 }
 
 } // namespace
@@ -281,36 +223,20 @@ std::string GetCpuName()
 
 std::string MakeRunJson(const FRunResult& Result)
 {
-	const FIntRect& Rect = Result.ViewRect;
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("version", GetVersion());
-	Writer.Member("config", Result.Config.File);
-	Writer.Member("engine", Result.Config.Engine.Value);
-	Writer.Member("precision", Result.Precision);
-	if (!Result.Device.empty())
-	{
-		Writer.Member("device", Result.Device);
-	}
+	Writer.Members({{"version", GetVersion()}, {"config", Result.Config.File}, {"engine", Result.Config.Engine.Value},
+		{"precision", Result.Precision}});
+	Writer.MemberIfAny("device", Result.Device);
 	Writer.Member("storage", Result.Storage);
-	if (!Result.BudgetReason.empty())
-	{
-		Writer.Member("budget", Result.BudgetReason);
-	}
+	Writer.MemberIfAny("budget", Result.BudgetReason);
 	Writer.Key("scene").BeginObject();
-	Writer.Member("file", Result.Config.Scene.File.Value);
-	WriteSize(Writer, "extent", {Result.SceneExtent.X, Result.SceneExtent.Y});
-	WriteSize(Writer, "viewRect", {Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y});
-	Writer.Key("lightColor").BeginArray(true);
-	for (const float Component : {Result.LightColor.R, Result.LightColor.G, Result.LightColor.B})
-	{
-		Writer.Value(Component);
-	}
-	Writer.EndArray();
+	Writer.Members({{"file", Result.Config.Scene.File.Value},
+		{"extent", std::array{Result.SceneExtent.X, Result.SceneExtent.Y}}, {"viewRect", ListCorners(Result.ViewRect)},
+		{"lightColor", std::array{Result.LightColor.R, Result.LightColor.G, Result.LightColor.B}}});
 	Writer.EndObject();
 	Writer.Key("exposure").BeginObject(!Result.Exposure.has_value());
-	Writer.Member("scale", Result.ExposureScale);
-	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
+	Writer.Members({{"scale", Result.ExposureScale}, {"preExposure", Result.Config.View.PreExposure.Value}});
 	WriteExposure(Writer, Result.Exposure);
 	Writer.EndObject();
 	WriteSettings(Writer, Result);
@@ -318,19 +244,12 @@ std::string MakeRunJson(const FRunResult& Result)
 	WriteViews(Writer, Result);
 	WriteHookCalls(Writer, Result);
 	WritePasses(Writer, Result);
-	Writer.Key("memory").BeginObject(true);
-	Writer.Member("transientPeakBytes", Result.Graph.Memory.TransientPeakBytes);
-	Writer.Member("withoutAliasingBytes", Result.Graph.Memory.WithoutAliasingBytes);
-	Writer.EndObject();
-	Writer.Key("channels").BeginArray();
-	for (const FSceneChannel& Channel : Result.Channels)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Channel.Name);
-		Writer.Member("decoded", Channel.bDecoded);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+	Writer.Key("memory").Object({{"transientPeakBytes", Result.Graph.Memory.TransientPeakBytes},
+		{"withoutAliasingBytes", Result.Graph.Memory.WithoutAliasingBytes}});
+	Writer.Array("channels", Result.Channels,
+		[&](const FSceneChannel& Channel) {
+			Writer.Object({{"name", Channel.Name}, {"decoded", Channel.bDecoded}});
+		});
 	WriteOutputs(Writer, Result);
 	WriteWarnings(Writer, Result);
 	Writer.EndObject();
@@ -341,27 +260,16 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("threads", Result.Threads);
-	Writer.Member("cpu", GetCpuName());
-	Writer.Key("passes").BeginArray();
-	for (const FRunPass& Pass : Result.Passes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("index", Pass.Index);
-		Writer.Member("name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name);
-		Writer.Member("ms", Pass.Milliseconds);
-		Writer.Member("taps", Pass.Taps);
-		Writer.Member("runsAs", DescribeShaderRun(Pass.Counters.Ran));
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Member("startMs", Result.Times.Start);
-	Writer.Member("setupMs", Result.Times.Setup);
-	Writer.Member("loadMs", Result.Times.Load);
-	Writer.Member("compileMs", Result.Times.Compile);
-	Writer.Member("executeMs", Result.Times.Execute);
-	Writer.Member("reportMs", Result.Times.Report);
-	Writer.Member("saveMs", SaveMs);
+	Writer.Members({{"threads", Result.Threads}, {"cpu", GetCpuName()}});
+	Writer.Array("passes", Result.Passes,
+		[&](const FRunPass& Pass)
+		{
+			Writer.Object({{"index", Pass.Index}, {"name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name},
+				{"ms", Pass.Milliseconds}, {"taps", Pass.Taps}, {"runsAs", DescribeShaderRun(Pass.Counters.Ran)}});
+		});
+	Writer.Members({{"startMs", Result.Times.Start}, {"setupMs", Result.Times.Setup}, {"loadMs", Result.Times.Load},
+		{"compileMs", Result.Times.Compile}, {"executeMs", Result.Times.Execute}, {"reportMs", Result.Times.Report},
+		{"saveMs", SaveMs}});
 	const std::chrono::duration<double, std::milli> Wall = std::chrono::steady_clock::now() - Result.Times.Begin;
 	Writer.Member("wallMs", Result.Times.Start + Wall.count());
 	// Counts for the process: packs of lanes whose texels were read or written one by one.
@@ -383,20 +291,13 @@ std::string MakeTraceJson(const FRunResult& Result)
 		[&](const std::string& Name, const std::string& Category, double Milliseconds, const FRunPass* Pass)
 	{
 		Writer.BeginObject(true);
-		Writer.Member("name", Name);
-		Writer.Member("cat", Category);
-		Writer.Member("ph", "X");
-		Writer.Member("ts", Now * 1000.0);
-		Writer.Member("dur", Milliseconds * 1000.0);
-		Writer.Member("pid", 1);
-		Writer.Member("tid", 1);
+		Writer.Members({{"name", Name}, {"cat", Category}, {"ph", "X"}, {"ts", Now * 1000.0},
+			{"dur", Milliseconds * 1000.0}, {"pid", 1}, {"tid", 1}});
 		Writer.Key("args").BeginObject();
 		if (Pass != nullptr)
 		{
-			Writer.Member("shader", Pass->Counters.Shader);
-			Writer.Member("runsAs", DescribeShaderRun(Pass->Counters.Ran));
-			Writer.Member("pixels", Pass->Counters.Pixels);
-			Writer.Member("taps", Pass->Taps);
+			Writer.Members({{"shader", Pass->Counters.Shader}, {"runsAs", DescribeShaderRun(Pass->Counters.Ran)},
+				{"pixels", Pass->Counters.Pixels}, {"taps", Pass->Taps}});
 		}
 		Writer.EndObject();
 		Writer.EndObject();

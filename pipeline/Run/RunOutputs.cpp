@@ -10,11 +10,8 @@
 #include "Text/TextFile.h"
 #include "TileExecutor.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 
 namespace Drydock

@@ -130,13 +130,12 @@ bool IsOneColor(FRHITexture& Texture, const FIntRect& Rect)
  * to a viewport. */
 bool IsStrength(std::string Name)
 {
-	if (std::count(Name.begin(), Name.end(), '.') > 1 || Name.find("Viewport") != std::string::npos)
+	if (std::ranges::count(Name, '.') > 1 || Name.find("Viewport") != std::string::npos)
 	{
 		return false;
 	}
 	Name = ToLowerCase(Name);
-	return std::any_of(std::begin(Strengths), std::end(Strengths),
-		[&Name](const char* Word) { return Name.find(Word) != std::string::npos; });
+	return std::ranges::any_of(Strengths, [&Name](const char* Word) { return Name.find(Word) != std::string::npos; });
 }
 
 std::string FindReason(const FRDGPass& Pass, const std::vector<FInput>& Inputs, const FRDGTexture& Same)
@@ -171,8 +170,8 @@ std::string FindReason(const FRDGPass& Pass, const std::vector<FInput>& Inputs, 
 std::optional<FSilentPass> FindSilentPass(
 	const FRDGPass& Pass, const FPassCounters& Counters, const std::vector<FRDGTexture*>& Written)
 {
-	const bool bCopies = std::any_of(
-		std::begin(Copying), std::end(Copying), [&Counters](const char* Shader) { return Counters.Shader == Shader; });
+	const bool bCopies =
+		std::ranges::any_of(Copying, [&Counters](const char* Shader) { return Counters.Shader == Shader; });
 	if (Counters.Shader.empty() || bCopies)
 	{
 		return std::nullopt;

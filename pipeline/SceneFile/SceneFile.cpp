@@ -124,8 +124,7 @@ std::optional<FSceneFile::FSource> FSceneFile::FindSource(const FScenePackChanne
 
 bool FSceneFile::HasAnyChannel(const FScenePacking& Packing) const
 {
-	return std::any_of(Packing.Channels.begin(), Packing.Channels.end(),
-		[this](const FScenePackChannel& Channel)
+	return std::ranges::any_of(Packing.Channels, [this](const FScenePackChannel& Channel)
 		{ return Channel.Name != nullptr && FindSource(Channel).has_value(); });
 }
 
@@ -141,7 +140,7 @@ FError FSceneFile::MakeMissingChannel(const std::string& Channel, const FNeededS
 	for (size_t Part = 1; Part < File.GetParts().size(); ++Part)
 	{
 		const FImagePart& Other = File.GetParts()[Part];
-		if (std::find(Other.Channels.begin(), Other.Channels.end(), Channel) != Other.Channels.end())
+		if (std::ranges::find(Other.Channels, Channel) != Other.Channels.end())
 		{
 			Diagnostic.Message +=
 				". Part " + std::to_string(Part + 1) + " of the file" +
@@ -241,8 +240,7 @@ std::map<std::string, FChannelValues> FSceneFile::ReadChannels(const std::vector
 	{
 		for (const FScenePackChannel& Channel : Packing.Channels)
 		{
-			const bool bNamed =
-				Channel.Name != nullptr && std::find(Names.begin(), Names.end(), Channel.Name) != Names.end();
+			const bool bNamed = Channel.Name != nullptr && std::ranges::find(Names, Channel.Name) != Names.end();
 			if (const std::optional<FSource> Source = bNamed ? FindSource(Channel) : std::nullopt)
 			{
 				Sources[Channel.Name] = *Source;
@@ -324,8 +322,7 @@ std::vector<FSceneRegion> FSceneFile::GetRegions() const
 FSceneRegion FSceneFile::FindRegion(const FIntRect& ViewRect) const
 {
 	const FIntRect Target = ViewRect - FIntPoint(Config.Padding.Left, Config.Padding.Top);
-	const auto Found = std::find_if(
-		Regions.begin(), Regions.end(), [&](const FSceneRegion& Region) { return Region.Target == Target; });
+	const auto Found = std::ranges::find(Regions, Target, &FSceneRegion::Target);
 	const FIntRect Whole(0, 0, File.GetWidth(), File.GetHeight());
 	return Found != Regions.end() ? *Found
 		   : Regions.empty()      ? FSceneRegion{Target, Target}

@@ -136,8 +136,7 @@ const std::vector<FScenePacking>& GetScenePackings()
 const FScenePacking* FindScenePacking(const std::string& Texture)
 {
 	const std::vector<FScenePacking>& Packings = GetScenePackings();
-	const auto Found = std::find_if(
-		Packings.begin(), Packings.end(), [&](const FScenePacking& Packing) { return Packing.Name == Texture; });
+	const auto Found = std::ranges::find(Packings, Texture, &FScenePacking::Name);
 	return Found == Packings.end() ? nullptr : &*Found;
 }
 

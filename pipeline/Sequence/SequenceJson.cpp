@@ -12,6 +12,7 @@
 #include "Text/Version.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
@@ -115,10 +116,8 @@ void WriteValue(FJsonWriter& Writer, const FJsonValue& Value)
 
 void WriteHead(FJsonWriter& Writer, const FConfig& Config, const FSequenceInputs& Inputs, bool bComplete)
 {
-	Writer.Member("version", GetVersion());
-	Writer.Member("config", Config.File);
-	Writer.Member("scene", Config.Scene.Sequence);
-	Writer.Member("complete", bComplete);
+	Writer.Members({{"version", GetVersion()}, {"config", Config.File}, {"scene", Config.Scene.Sequence},
+		{"complete", bComplete}});
 	Writer.Key("inputs").BeginObject();
 	for (const auto& [Name, Text] : Inputs)
 	{
@@ -203,39 +202,25 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	{
 		Writer.Member("after", Record.After);
 	}
-	Writer.Member("file", Record.File);
-	Writer.Member("fileFingerprint", Record.FileFingerprint);
-	Writer.Key("location").BeginArray(true);
-	for (const double Coordinate : {Location.X, Location.Y, Location.Z})
-	{
-		Writer.Value(Coordinate);
-	}
-	Writer.EndArray();
+	Writer.Members({{"file", Record.File}, {"fileFingerprint", Record.FileFingerprint},
+		{"location", std::array{Location.X, Location.Y, Location.Z}}});
 	Writer.Key("volumes").BeginObject(true);
 	const FSettingsBlender Blender = MakeSettingsBlender(Result.Config);
 	std::vector<FVolumeAtPlace> Volumes = Blender.FindVolumes(Location);
-	std::sort(Volumes.begin(), Volumes.end(),
-		[](const FVolumeAtPlace& A, const FVolumeAtPlace& B) { return A.Volume < B.Volume; });
+	std::ranges::sort(Volumes, {}, &FVolumeAtPlace::Volume);
 	for (const FVolumeAtPlace& Volume : Volumes)
 	{
 		Writer.Member(GetVolumeName(Result.Config, Volume.Volume), Volume.Influence.Weight);
 	}
 	Writer.EndObject();
-	Writer.Key("exposure").BeginObject(true);
-	Writer.Member("scale", Result.ExposureScale);
-	Writer.Member("preExposure", Result.Config.View.PreExposure.Value);
-	Writer.EndObject();
-	const auto NumPasses = std::count_if(Result.Graph.Passes.begin(), Result.Graph.Passes.end(),
-		[](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; });
-	Writer.Key("passes").BeginObject(true);
-	Writer.Member("executed", static_cast<int64_t>(Result.Passes.size()));
-	Writer.Member("culled", static_cast<int64_t>(NumPasses) - static_cast<int64_t>(Result.Passes.size()));
-	Writer.EndObject();
+	Writer.Key("exposure")
+		.Object({{"scale", Result.ExposureScale}, {"preExposure", Result.Config.View.PreExposure.Value}});
+	const auto NumPasses =
+		std::ranges::count_if(Result.Graph.Passes, [](const FRDGCompiledPass& Pass) { return !Pass.bIsSentinel; });
+	Writer.Key("passes").Object({{"executed", static_cast<int64_t>(Result.Passes.size())},
+		{"culled", static_cast<int64_t>(NumPasses) - static_cast<int64_t>(Result.Passes.size())}});
 	Writer.Member("picture", Record.Picture);
-	if (!Record.Seen.empty())
-	{
-		Writer.Member("seen", Record.Seen);
-	}
+	Writer.MemberIfAny("seen", Record.Seen);
 	Writer.Member("state", Record.State);
 	Writer.EndObject();
 	return Writer.GetText();
@@ -271,12 +256,7 @@ std::string MakeSequenceJson(
 	FJsonWriter Writer;
 	Writer.BeginObject();
 	WriteHead(Writer, Config, Inputs, true);
-	Writer.Key("varying").BeginArray(true);
-	for (const auto& [Name, Text] : Varying.front())
-	{
-		Writer.Value(Name);
-	}
-	Writer.EndArray();
+	Writer.Member("varying", std::views::keys(Varying.front()));
 	Writer.Key("frames").BeginArray();
 	for (size_t Index = 0; Index < Frames.size(); ++Index)
 	{
@@ -310,7 +290,7 @@ bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File
 	{
 		return false;
 	}
-	return std::equal(Records->Elements.begin(), Records->Elements.end(), Frames.begin(), Frames.end(),
+	return std::ranges::equal(Records->Elements, Frames,
 		[](const FJsonValue& Record, int Frame) { return Record.GetNumber("frame", -1.0) == Frame; });
 }
 

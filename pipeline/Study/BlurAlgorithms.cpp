@@ -128,11 +128,8 @@ FAddBlur MakeGaussianSum(double Sigma)
 
 FAddBlur MakeGraphBlur(const std::string& Name, double Sigma)
 {
-	if (Name == "GaussianSum")
-	{
-		return MakeGaussianSum(Sigma);
-	}
-	return Name == "Direct"       ? FAddBlur(AddDirect)
+	return Name == "GaussianSum"  ? MakeGaussianSum(Sigma)
+		   : Name == "Direct"     ? FAddBlur(AddDirect)
 		   : Name == "Kawase"     ? FAddBlur(AddKawaseBlurPasses)
 		   : Name == "DualKawase" ? FAddBlur(AddDualKawase)
 		   : Name == "Pyramid"    ? FAddBlur(AddPyramid)

@@ -58,15 +58,14 @@ public:
 	/** Errors: of all that is drawn. Shown: one more that the axis must reach. */
 	FErrorAxis(const std::string& Metric, std::vector<double> Errors, const std::optional<double>& Shown)
 	{
-		Errors.erase(
-			std::remove_if(Errors.begin(), Errors.end(), [](double Error) { return !(Error > 0.0); }), Errors.end());
-		std::sort(Errors.begin(), Errors.end());
+		std::erase_if(Errors, [](double Error) { return !(Error > 0.0); });
+		std::ranges::sort(Errors);
 		for (size_t NumBelow = 1; 2 * NumBelow < Errors.size() && Floor == 0.0; ++NumBelow)
 		{
 			constexpr double Gap = 1000.0;
 			Floor = Errors[NumBelow] > Gap * Errors[NumBelow - 1] ? Errors[NumBelow] : 0.0;
 		}
-		Errors.erase(Errors.begin(), std::lower_bound(Errors.begin(), Errors.end(), Floor));
+		Errors.erase(Errors.begin(), std::ranges::lower_bound(Errors, Floor));
 		if (Shown)
 		{
 			Errors.push_back(*Shown);
@@ -109,7 +108,7 @@ std::optional<size_t> FindSweep(const FStudy& Study)
 	for (size_t Index = 0; Index < Study.Axes.size(); ++Index)
 	{
 		const FStudyAxis& Axis = Study.Axes[Index];
-		const bool bNumbers = std::all_of(Axis.Values.begin(), Axis.Values.end(),
+		const bool bNumbers = std::ranges::all_of(Axis.Values,
 			[](const FStudyValue& Value)
 			{
 				char* End = nullptr;
@@ -208,8 +207,8 @@ std::vector<std::vector<FChartLegend>> MakeLegend(const FStudyResult& Result, ES
 	std::vector<FChartLegend> Choices;
 	for (size_t Choice = 0; !Result.Jobs.empty() && Choice < Result.Jobs[0].Variants.size(); ++Choice)
 	{
-		const auto Shown = std::find_if(Result.Jobs.begin(), Result.Jobs.end(),
-			[&](const FStudyJob& Job) { return Result.Variants[Job.Variants[Choice]].Competes(); });
+		const auto Shown = std::ranges::find_if(
+			Result.Jobs, [&](const FStudyJob& Job) { return Result.Variants[Job.Variants[Choice]].Competes(); });
 		if (Shown != Result.Jobs.end())
 		{
 			const FStudyVariant& Variant = Result.Variants[Shown->Variants[Choice]];
@@ -218,8 +217,8 @@ std::vector<std::vector<FChartLegend>> MakeLegend(const FStudyResult& Result, ES
 	}
 	const auto Any = [&](bool FStudyVariant::*Member)
 	{
-		return std::any_of(Result.Variants.begin(), Result.Variants.end(),
-			[&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
+		return std::ranges::any_of(
+			Result.Variants, [&](const FStudyVariant& Variant) { return Variant.*Member && Variant.Competes(); });
 	};
 	std::vector<FChartLegend> Marks = {{"front: nobody is cheaper and as exact", "front", {}},
 		{"pale: something is cheaper and as exact", "c7", {.bPale = true}}};
@@ -285,7 +284,7 @@ FChartPanel MakeStudyPanel(const FStudyResult& Result, const FStudyJob& Job, ESt
 			Front.emplace_back(X, Errors.Place(Error));
 		}
 	}
-	std::sort(Front.begin(), Front.end());
+	std::ranges::sort(Front);
 	if (Front.size() > 1)
 	{
 		// Between two variants nothing is to be had but the cheaper one's error.
@@ -310,8 +309,7 @@ FChart MakeStudyChart(const FStudyResult& Result, EStudyCost Cost)
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		const std::string Other = Sweep ? GetOther(Job, Sweep) : "";
-		const auto Known =
-			std::find_if(Others.begin(), Others.end(), [&](const auto& One) { return One.first == Other; });
+		const auto Known = std::ranges::find_if(Others, [&](const auto& Known) { return Known.first == Other; });
 		(Known == Others.end() ? Others.emplace_back(Other, std::vector<const FStudyJob*>()) : *Known)
 			.second.push_back(&Job);
 	}

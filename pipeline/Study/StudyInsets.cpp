@@ -5,6 +5,7 @@
 #include "Text/AsideFile.h"
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,12 +181,8 @@ std::vector<FStudyInsetRow> WriteStudyInsets(FStudyRun& Run, const FStudyResult&
 	{
 		throw MakeWriteError(Insets.string(), Error.message());
 	}
-	std::vector<FStudyInsetRow> Rows;
-	for (const size_t Job : ChooseJobs(Result.Jobs.size()))
-	{
-		Rows.push_back(MakeInsetRow(Run, Result, Result.Jobs[Job], Insets));
-	}
-	return Rows;
+	return ToVector<FStudyInsetRow>(ChooseJobs(Result.Jobs.size()),
+		[&](const size_t Job) { return MakeInsetRow(Run, Result, Result.Jobs[Job], Insets); });
 }
 
 } // namespace Drydock

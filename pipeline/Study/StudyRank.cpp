@@ -5,8 +5,6 @@
 #include "Text/Fmt.inl"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <functional>
 
 namespace Drydock

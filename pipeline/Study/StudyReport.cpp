@@ -4,10 +4,12 @@
 #include "Run/RunJson.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "Text/TextTable.h"
 #include "Text/Version.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Drydock
@@ -45,8 +47,7 @@ std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Varian
 	else
 	{
 		const size_t By = static_cast<size_t>(Variant.ByTime.DominatedBy);
-		const bool bNoise =
-			std::find(Variant.WithinNoiseOf.begin(), Variant.WithinNoiseOf.end(), By) != Variant.WithinNoiseOf.end();
+		const bool bNoise = std::ranges::find(Variant.WithinNoiseOf, By) != Variant.WithinNoiseOf.end();
 		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (time within noise)" : "");
 	}
 	Text += Variant.bPlainCode && !bExcluded ? ", plain code" : "";
@@ -112,9 +113,9 @@ void WriteSet(FJsonWriter& Writer, const std::vector<FStudyAssignment>& Set)
 
 void WriteDominator(FJsonWriter& Writer, const FStudyResult& Result, const FStudyRank& Rank)
 {
-	Writer.Member("front", Rank.bFront);
-	Writer.Member("dominatedBy",
-		Rank.DominatedBy < 0 ? std::string() : Result.Variants[static_cast<size_t>(Rank.DominatedBy)].Label);
+	Writer.Members({{"front", Rank.bFront},
+		{"dominatedBy",
+			Rank.DominatedBy < 0 ? std::string() : Result.Variants[static_cast<size_t>(Rank.DominatedBy)].Label}});
 }
 
 void WriteVariant(
@@ -136,12 +137,10 @@ void WriteVariant(
 			Writer.Member("relativeWithBorder", Variant.RelativeWithBorder);
 		}
 	}
-	Writer.Member("taps", Variant.Taps);
-	Writer.Member("bytes", Variant.Bytes);
+	Writer.Members({{"taps", Variant.Taps}, {"bytes", Variant.Bytes}});
 	if (Result.Study.bBlur)
 	{
-		Writer.Member("sigma", Variant.MeasuredSigma);
-		Writer.Member("plainCode", Variant.bPlainCode);
+		Writer.Members({{"sigma", Variant.MeasuredSigma}, {"plainCode", Variant.bPlainCode}});
 	}
 	Writer.Member("current", Variant.bCurrent);
 	WriteDominator(Writer, Result, Variant.ByTaps);
@@ -152,31 +151,10 @@ void WriteBudget(FJsonWriter& Writer, const FStudyBudget& Budget)
 {
 	Writer.Key("budget").BeginObject(true);
 	Writer.Member("metric", Budget.Metric);
-	if (Budget.Max)
-	{
-		Writer.Member("max", *Budget.Max);
-	}
-	if (Budget.Ms)
-	{
-		Writer.Member("ms", *Budget.Ms);
-	}
+	Writer.MemberIfAny("max", Budget.Max);
+	Writer.MemberIfAny("ms", Budget.Ms);
 	Writer.Member("default", Budget.bDefault);
 	Writer.EndObject();
-}
-
-/** A cell: quoted where it has to be. */
-std::string CsvText(const std::string& Text)
-{
-	if (Text.find_first_of(",\"\n") == std::string::npos)
-	{
-		return Text;
-	}
-	std::string Quoted = "\"";
-	for (const char Character : Text)
-	{
-		Quoted += Character == '"' ? "\"\"" : std::string(1, Character);
-	}
-	return Quoted + "\"";
 }
 
 } // namespace
@@ -226,59 +204,30 @@ std::string MakeStudyJson(const FStudyResult& Result)
 	const std::vector<FStudyChoice> Choices = Result.Study.GetChoices();
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("version", GetVersion());
-	Writer.Member("config", Result.ConfigFile);
-	Writer.Member("fingerprint", Result.Fingerprint);
-	Writer.Member("scene", Result.Scene);
-	Writer.Key("size").BeginArray(true);
-	Writer.Value(Result.Width);
-	Writer.Value(Result.Height);
-	Writer.EndArray();
-	if (Result.Study.Region)
-	{
-		Writer.Key("region").BeginArray(true);
-		for (const int Corner : *Result.Study.Region)
-		{
-			Writer.Value(Corner);
-		}
-		Writer.EndArray();
-	}
-	Writer.Member("subject", Result.Study.bBlur ? "blurs" : "frames");
-	Writer.Member("reference", Result.Study.ReferenceName);
-	Writer.Member("metric", Result.GetMetric());
+	Writer.Members({{"version", GetVersion()}, {"config", Result.ConfigFile}, {"fingerprint", Result.Fingerprint},
+		{"scene", Result.Scene}, {"size", std::array{Result.Width, Result.Height}}});
+	Writer.MemberIfAny("region", Result.Study.Region);
+	Writer.Members({{"subject", Result.Study.bBlur ? "blurs" : "frames"}, {"reference", Result.Study.ReferenceName},
+		{"metric", Result.GetMetric()}});
 	WriteBudget(Writer, Result.Study.Budget);
-	Writer.Key("axes").BeginArray();
-	for (const FStudyAxis& Axis : Result.Study.Axes)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Axis.Name);
-		Writer.Member("each", Axis.bEach);
-		Writer.Key("values").BeginArray(true);
-		for (const FStudyValue& Value : Axis.Values)
+	Writer.Array("axes", Result.Study.Axes,
+		[&](const FStudyAxis& Axis)
 		{
-			Writer.Value(Value.Label);
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("jobs").BeginArray();
-	for (const FStudyJob& Job : Result.Jobs)
-	{
-		Writer.BeginObject();
-		Writer.Member("label", Job.Case.Label);
-		WriteSet(Writer, Job.Case.Set);
-		Writer.Member("reference", Job.Reference);
-		Writer.Member("referenceTaps", Job.ReferenceTaps);
-		Writer.Key("variants").BeginArray();
-		for (const size_t Index : Job.Variants)
+			Writer.Object({{"name", Axis.Name}, {"each", Axis.bEach},
+				{"values", Axis.Values | std::views::transform(&FStudyValue::Label)}});
+		});
+	Writer.Array("jobs", Result.Jobs,
+		[&](const FStudyJob& Job)
 		{
-			WriteVariant(Writer, Result, Result.Variants[Index], Choices[Result.Variants[Index].Choice]);
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+			Writer.BeginObject();
+			Writer.Member("label", Job.Case.Label);
+			WriteSet(Writer, Job.Case.Set);
+			Writer.Members({{"reference", Job.Reference}, {"referenceTaps", Job.ReferenceTaps}});
+			Writer.Array("variants", Job.Variants,
+				[&](const size_t Index)
+				{ WriteVariant(Writer, Result, Result.Variants[Index], Choices[Result.Variants[Index].Choice]); });
+			Writer.EndObject();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -287,54 +236,38 @@ std::string MakeStudyTimingJson(const FStudyResult& Result)
 {
 	FJsonWriter Writer;
 	Writer.BeginObject();
-	Writer.Member("cpu", GetCpuName());
-	Writer.Member("threads", Result.Threads);
-	Writer.Member("repetitions", Result.Study.Repetitions);
-	Writer.Member("seconds", Result.Seconds);
-	Writer.Key("jobs").BeginArray();
-	for (const FStudyJob& Job : Result.Jobs)
-	{
-		Writer.BeginObject();
-		Writer.Member("label", Job.Case.Label);
-		Writer.Member("referenceMs", Job.ReferenceTime.Median);
-		std::string Recommended;
-		for (const size_t Index : Job.Variants)
+	Writer.Members({{"cpu", GetCpuName()}, {"threads", Result.Threads}, {"repetitions", Result.Study.Repetitions},
+		{"seconds", Result.Seconds}});
+	Writer.Array("jobs", Result.Jobs,
+		[&](const FStudyJob& Job)
 		{
-			Recommended = Result.Variants[Index].bRecommended ? Result.Variants[Index].Label : Recommended;
-		}
-		Writer.Member("recommended", Recommended);
-		Writer.Member("recommendation", Job.Recommendation);
-		Writer.Key("variants").BeginArray();
-		for (const size_t Index : Job.Variants)
-		{
-			const FStudyVariant& Variant = Result.Variants[Index];
-			Writer.BeginObject(true);
-			Writer.Member("label", Variant.Label);
-			if (Variant.bRan)
+			Writer.BeginObject();
+			Writer.Members({{"label", Job.Case.Label}, {"referenceMs", Job.ReferenceTime.Median}});
+			std::string Recommended;
+			for (const size_t Index : Job.Variants)
 			{
-				Writer.Member("medianMs", Variant.Time.Median);
-				Writer.Member("lowMs", Variant.Time.Low);
-				Writer.Member("highMs", Variant.Time.High);
-				Writer.Key("runsMs").BeginArray(true);
-				for (const double Run : Variant.Time.Runs)
+				Recommended = Result.Variants[Index].bRecommended ? Result.Variants[Index].Label : Recommended;
+			}
+			Writer.Members({{"recommended", Recommended}, {"recommendation", Job.Recommendation}});
+			Writer.Array("variants", Job.Variants,
+				[&](const size_t Index)
 				{
-					Writer.Value(Run);
-				}
-				Writer.EndArray();
-			}
-			WriteDominator(Writer, Result, Variant.ByTime);
-			Writer.Key("withinNoiseOf").BeginArray(true);
-			for (const size_t Other : Variant.WithinNoiseOf)
-			{
-				Writer.Value(Result.Variants[Other].Label);
-			}
-			Writer.EndArray();
+					const FStudyVariant& Variant = Result.Variants[Index];
+					Writer.BeginObject(true);
+					Writer.Member("label", Variant.Label);
+					if (Variant.bRan)
+					{
+						Writer.Members({{"medianMs", Variant.Time.Median}, {"lowMs", Variant.Time.Low},
+							{"highMs", Variant.Time.High}, {"runsMs", Variant.Time.Runs}});
+					}
+					WriteDominator(Writer, Result, Variant.ByTime);
+					Writer.Member("withinNoiseOf",
+						Variant.WithinNoiseOf |
+							std::views::transform([&](size_t Other) { return Result.Variants[Other].Label; }));
+					Writer.EndObject();
+				});
 			Writer.EndObject();
-		}
-		Writer.EndArray();
-		Writer.EndObject();
-	}
-	Writer.EndArray();
+		});
 	Writer.EndObject();
 	return Writer.GetText();
 }

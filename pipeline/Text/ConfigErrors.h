@@ -2,6 +2,8 @@
 // one.
 #pragma once
 
+#include "Diagnostics.h"
+
 namespace Drydock
 {
 
@@ -60,5 +62,11 @@ enum EConfigError
 	// DD6: shaders
 	WarnDebug = 6060, // --debug-shaders: a shader that no debugger can be given, or no debugger
 };
+
+/** The error of a wrong argument of the command line, of the option that Where names. */
+inline FError BadArgument(const std::string& Message, const std::string& Where = {})
+{
+	return FError({.Code = ErrorBadArgument, .Message = Message, .Where = Where}, ExitUsage);
+}
 
 } // namespace Drydock

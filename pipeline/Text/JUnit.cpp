@@ -83,8 +83,7 @@ std::string MakeCase(const FJUnitCase& Case, const std::string& Suite)
 
 long Count(const FJUnitSuite& Suite, EJUnitOutcome Outcome)
 {
-	return std::count_if(
-		Suite.Cases.begin(), Suite.Cases.end(), [Outcome](const FJUnitCase& Case) { return Case.Outcome == Outcome; });
+	return std::ranges::count_if(Suite.Cases, [Outcome](const FJUnitCase& Case) { return Case.Outcome == Outcome; });
 }
 
 } // namespace

@@ -71,11 +71,7 @@ public:
 		FJsonValue Value;
 		Value.Type = EJsonType::String;
 		Value.String = Text;
-		if (HoldsNul(Text))
-		{
-			return RefuseNul(Frames.empty() ? "" : PointerOf(Frames.back()));
-		}
-		return AddLeaf(std::move(Value));
+		return HoldsNul(Text) ? (RefuseNul(Frames.empty() ? "" : PointerOf(Frames.back()))) : AddLeaf(std::move(Value));
 	}
 	bool binary(std::vector<std::uint8_t>&) { return false; }
 	bool start_object(size_t) { return Open(EJsonType::Object); }
@@ -334,24 +330,9 @@ const std::vector<FJsonValue>& FJsonValue::GetElements(const std::string& Key) c
 
 const char* FJsonValue::Describe() const
 {
-	switch (Type)
-	{
-	case EJsonType::Null:
-		return "null";
-	case EJsonType::Bool:
-		return "true or false";
-	case EJsonType::Number:
-		return "a number";
-	case EJsonType::String:
-		return "a string";
-	case EJsonType::Array:
-		return "an array";
-	case EJsonType::Object:
-		return "an object";
-	case EJsonType::Invalid:
-		return "a number that is not finite";
-	}
-	return "?";
+	constexpr const char* Names[] = {
+		"null", "true or false", "a number", "a string", "an array", "an object", "a number that is not finite"};
+	return Names[size_t(Type)];
 }
 
 FJsonValue ParseJson(

@@ -79,6 +79,29 @@ void FJsonWriter::Raw(const std::string& Json)
 	Text += Json;
 }
 
+void FJsonWriter::RawMember(const std::string& Name, const std::string& Json)
+{
+	if (!Json.empty())
+	{
+		Key(Name).Raw(Json);
+	}
+}
+
+void FJsonWriter::Members(std::initializer_list<FMember> Each)
+{
+	for (const FMember& One : Each)
+	{
+		Key(One.Name).Raw(One.Json);
+	}
+}
+
+void FJsonWriter::Object(std::initializer_list<FMember> Each)
+{
+	BeginObject(true);
+	Members(Each);
+	EndObject();
+}
+
 void FJsonWriter::Begin(char Bracket, bool bInline)
 {
 	Separate();

@@ -4,9 +4,13 @@
 
 #include "DrydockAPI.h"
 
+#include <concepts>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <ranges>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Drydock
@@ -37,18 +41,81 @@ public:
 	/** Text that is JSON already. */
 	void Raw(const std::string& Json);
 
+	/** Nothing is null. */
+	template<typename T>
+	void Value(const std::optional<T>& InValue)
+	{
+		InValue ? Value(*InValue) : Null();
+	}
+
+	/** A list of values: an array on one line. */
+	template<std::ranges::range T>
+	requires(!std::same_as<std::ranges::range_value_t<T>, char>) void Value(const T& Values)
+	{
+		BeginArray(true);
+		for (const auto& Each : Values)
+		{
+			Value(Each);
+		}
+		EndArray();
+	}
+
 	template<typename T>
 	void Member(const std::string& Name, const T& InValue)
 	{
 		Key(Name).Value(InValue);
 	}
 
-	/** Nothing is null. */
 	template<typename T>
-	void Member(const std::string& Name, const std::optional<T>& InValue)
+	void Member(const std::string& Name, std::initializer_list<T> Values)
 	{
-		Key(Name);
-		InValue ? Value(*InValue) : Null();
+		Key(Name).Value(Values);
+	}
+
+	/** A member that is left out where its value is nothing or empty. */
+	template<typename T>
+	void MemberIfAny(const std::string& Name, const T& InValue)
+	{
+		if (InValue != T())
+		{
+			Member(Name, InValue);
+		}
+	}
+
+	/** A member whose text is JSON already; it is left out where there is none. */
+	void RawMember(const std::string& Name, const std::string& Json);
+
+	/** A member before it is written. */
+	struct FMember
+	{
+		template<typename T>
+		FMember(std::string InName, const T& Value)
+			: Name(std::move(InName))
+		{
+			FJsonWriter Writer;
+			Writer.Value(Value);
+			Json = Writer.Text;
+		}
+
+		std::string Name;
+		std::string Json;
+	};
+
+	void Members(std::initializer_list<FMember> Each);
+
+	/** An object on one line. */
+	void Object(std::initializer_list<FMember> Each);
+
+	/** An array; Write writes an item. */
+	template<typename TItems, typename TWrite>
+	void Array(const std::string& Name, const TItems& Items, TWrite&& Write)
+	{
+		Key(Name).BeginArray();
+		for (const auto& Item : Items)
+		{
+			Write(Item);
+		}
+		EndArray();
 	}
 
 	/** The text so far, with a final line break. */

@@ -70,4 +70,18 @@ std::string FormatCode(int Code)
 	return Text;
 }
 
+std::string CsvText(const std::string& Text)
+{
+	if (Text.find_first_of(",\"\n") == std::string::npos)
+	{
+		return Text;
+	}
+	std::string Quoted = "\"";
+	for (const char Character : Text)
+	{
+		Quoted += Character == '"' ? "\"\"" : std::string(1, Character);
+	}
+	return Quoted + "\"";
+}
+
 } // namespace Drydock

@@ -21,4 +21,7 @@ DRYDOCK_API std::string EncodeBase64(const std::string& Bytes);
 /** "DD1015". */
 std::string FormatCode(int Code);
 
+/** A cell of a CSV file: quoted where it has to be. */
+DRYDOCK_API std::string CsvText(const std::string& Text);
+
 } // namespace Drydock

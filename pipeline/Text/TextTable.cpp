@@ -164,8 +164,7 @@ void Tighten(const FTextTable& Table, std::vector<FWidths>& Widths)
 /** Takes out the column that goes first; its name. Empty where all stay. */
 std::string LeaveOneOut(FTextTable& Table, std::vector<FWidths>& Widths)
 {
-	const auto First = std::max_element(Table.Columns.begin(), Table.Columns.end(),
-		[](const FTextColumn& A, const FTextColumn& B) { return A.LeaveOut < B.LeaveOut; });
+	const auto First = std::ranges::max_element(Table.Columns, {}, &FTextColumn::LeaveOut);
 	if (First == Table.Columns.end() || First->LeaveOut == 0)
 	{
 		return "";
@@ -192,8 +191,7 @@ std::string FTextTable::Format(int Width, const std::string& Indent) const
 	FTextTable Table = *this;
 	for (std::vector<std::string>& Row : Table.Rows)
 	{
-		std::transform(
-			Row.begin(), Row.end(), Row.begin(), [](const std::string& Cell) { return MakePrintable(Cell, false); });
+		std::ranges::transform(Row, Row.begin(), [](const std::string& Cell) { return MakePrintable(Cell, false); });
 	}
 	std::vector<FWidths> Widths;
 	for (size_t Column = 0; Column < Columns.size(); ++Column)

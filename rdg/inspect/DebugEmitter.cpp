@@ -205,8 +205,7 @@ void FDebugEmitter::OpenFunction(const FSpirvFunction& Function, const std::vect
 	for (uint32_t Block = Function.FirstBlock; Block < Function.FirstBlock + Function.NumBlocks; ++Block)
 	{
 		const std::vector<FSpirvInstruction>& Instructions = Module.Blocks[Block].Instructions;
-		const auto First = std::find_if(
-			Instructions.begin(), Instructions.end(), [](const FSpirvInstruction& I) { return I.Line > 0; });
+		const auto First = std::ranges::find_if(Instructions, [](const FSpirvInstruction& I) { return I.Line > 0; });
 		if (First != Instructions.end())
 		{
 			SetLine(First->File, First->Line);
@@ -254,7 +253,7 @@ void FDebugEmitter::OpenFunction(const FSpirvFunction& Function, const std::vect
 /** Static, because a goto may lead into the braces; cleared before each run. */
 std::string FDebugEmitter::OpenScopes(std::vector<FDebugLocal> Locals, size_t Position)
 {
-	std::sort(Locals.begin(), Locals.end(), [](const FDebugLocal& A, const FDebugLocal& B) { return A.Last > B.Last; });
+	std::ranges::sort(Locals, std::greater(), &FDebugLocal::Last);
 	std::string Text;
 	for (const FDebugLocal& Local : Locals)
 	{

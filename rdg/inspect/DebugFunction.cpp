@@ -70,8 +70,7 @@ bool IsShown(const FSpirvProgram& Program, size_t Variable)
 
 void AddUse(const FSpirvModule& Module, uint32_t Variable, size_t Position, std::vector<FDebugLocal>& Locals)
 {
-	const auto Known = std::find_if(
-		Locals.begin(), Locals.end(), [Variable](const FDebugLocal& Local) { return Local.Variable == Variable; });
+	const auto Known = std::ranges::find(Locals, Variable, &FDebugLocal::Variable);
 	if (Known != Locals.end())
 	{
 		Known->Last = Position;
@@ -147,8 +146,8 @@ std::vector<FDebugLocal> FindDebugLocals(
 	}
 	for (FDebugLocal& Local : Locals)
 	{
-		Local.bScoped = std::any_of(Locals.begin(), Locals.end(),
-			[&Local](const FDebugLocal& Other) { return &Other != &Local && Other.Name == Local.Name; });
+		Local.bScoped = std::ranges::any_of(
+			Locals, [&Local](const FDebugLocal& Other) { return &Other != &Local && Other.Name == Local.Name; });
 	}
 	TakeWholeLines(Lines, Locals);
 	MakeNested(Locals);

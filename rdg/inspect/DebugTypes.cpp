@@ -149,15 +149,9 @@ std::string FDebugTypes::DefineStruct(const FSpirvType& Type)
 std::string FDebugTypes::ElementOf(uint32_t TypeId, uint32_t Index) const
 {
 	const FSpirvType& Type = Module.GetType(TypeId);
-	switch (Type.Kind)
-	{
-	case ESpirvType::Struct:
-		return "." + MakeCppName(Type.Members.at(Index).Name);
-	case ESpirvType::Vector:
-		return std::string(".") + "xyzw"[std::min(Index, Type.Count - 1)];
-	default:
-		return "[" + std::to_string(std::min(Index, Type.Count - 1)) + "]";
-	}
+	return Type.Kind == ESpirvType::Struct   ? "." + MakeCppName(Type.Members.at(Index).Name)
+		   : Type.Kind == ESpirvType::Vector ? std::string(".") + "xyzw"[std::min(Index, Type.Count - 1)]
+											 : "[" + std::to_string(std::min(Index, Type.Count - 1)) + "]";
 }
 
 void FDebugTypes::AddScalars(uint32_t TypeId, const std::string& Path, std::vector<FScalar>& Scalars) const

@@ -33,8 +33,6 @@ public:
 	FDebuggedThread Run(const FKernelArgs& Args, const FKernelTile& Whole, const std::array<int32_t, 3>& Position,
 		uint64_t MaxSteps, bool bDebugged = false) const;
 
-	const FInspectedShader& GetInspected() const { return Inspected; }
-
 private:
 	FInspectedShader Inspected;
 	FTemporaryFolder Folder;

@@ -22,17 +22,11 @@ int32_t Address(int32_t X, int32_t Size, EKernelAddress Mode)
 	{
 		return (X % Period + Period) % Period;
 	};
-	switch (Mode)
-	{
-	case EKernelAddress::Wrap:
-		return Modulo(Size);
-	case EKernelAddress::Mirror:
-		return std::min(Modulo(2 * Size), 2 * Size - 1 - Modulo(2 * Size));
-	case EKernelAddress::Clamp:
-		return std::clamp(X, 0, Size - 1);
-	default:
-		return X < 0 || X >= Size ? -1 : X;
-	}
+	return Mode == EKernelAddress::Wrap     ? Modulo(Size)
+		   : Mode == EKernelAddress::Mirror ? std::min(Modulo(2 * Size), 2 * Size - 1 - Modulo(2 * Size))
+		   : Mode == EKernelAddress::Clamp  ? std::clamp(X, 0, Size - 1)
+		   : X < 0 || X >= Size             ? -1
+											: X;
 }
 
 struct FPairOfTexels

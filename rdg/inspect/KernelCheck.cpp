@@ -461,8 +461,7 @@ std::vector<FCheckFinding> CheckThreads(FInspectedShader& Shader, const FBoundSh
 		Finding.Source = Shader.GetTrimmedLine(Finding.File, Finding.Line);
 		Findings.push_back(std::move(Finding));
 	}
-	std::stable_sort(Findings.begin(), Findings.end(),
-		[](const FCheckFinding& A, const FCheckFinding& B)
+	std::ranges::stable_sort(Findings, [](const FCheckFinding& A, const FCheckFinding& B)
 		{ return std::tie(A.First[2], A.First[1], A.First[0]) < std::tie(B.First[2], B.First[1], B.First[0]); });
 	return Findings;
 }

@@ -3,6 +3,7 @@
 
 #include "AuthorsNames.h"
 #include "Diagnostics.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -103,16 +104,11 @@ std::string ListNear(const FLineSteps& Found, int Line)
 	{
 		Lines.push_back(Known);
 	}
-	std::stable_sort(
-		Lines.begin(), Lines.end(), [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
+	std::ranges::stable_sort(Lines, [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
 	Lines.resize(std::min<size_t>(Lines.size(), 4));
-	std::sort(Lines.begin(), Lines.end());
-	std::string List;
-	for (const int Known : Lines)
-	{
-		List += (List.empty() ? "" : ", ") + std::to_string(Known) + " (" + *ByLine[Known].begin() + ")";
-	}
-	return List;
+	std::ranges::sort(Lines);
+	return JoinText(
+		Lines, ", ", [&](const int Known) { return std::to_string(Known) + " (" + *ByLine[Known].begin() + ")"; });
 }
 
 class FLineWatcher final : public IThreadWatcher
@@ -196,12 +192,7 @@ std::string ListNames(const FInspectedShader& Shader)
 {
 	std::set<std::string> Names(Shader.GetProgram().VariableNames.begin(), Shader.GetProgram().VariableNames.end());
 	Names.erase(std::string());
-	std::string List;
-	for (const std::string& Name : Names)
-	{
-		List += (List.empty() ? "" : ", ") + Name;
-	}
-	return List;
+	return JoinText(Names);
 }
 
 } // namespace

@@ -38,8 +38,7 @@ constexpr FOperationName Functions[] = {{ExtRound, "round"}, {ExtRoundEven, "rou
 template<size_t Count>
 const char* FindName(const FOperationName (&Names)[Count], uint32_t Op)
 {
-	const auto Found =
-		std::find_if(std::begin(Names), std::end(Names), [Op](const FOperationName& Name) { return Name.Op == Op; });
+	const auto Found = std::ranges::find(Names, Op, &FOperationName::Op);
 	return Found == std::end(Names) ? nullptr : Found->Text;
 }
 
@@ -59,15 +58,10 @@ bool TakesVectors(const FSpirvInstruction& I)
 
 std::string FormatReal(double Value)
 {
-	if (std::isnan(Value))
-	{
-		return "NaN";
-	}
-	if (std::isinf(Value))
-	{
-		return Value < 0 ? "-Inf" : "Inf";
-	}
-	return double(float(Value)) == Value ? FormatShortest(float(Value)) : FormatShortest(Value);
+	return std::isnan(Value)               ? "NaN"
+		   : std::isinf(Value)             ? (Value < 0 ? "-Inf" : "Inf")
+		   : double(float(Value)) == Value ? FormatShortest(float(Value))
+										   : FormatShortest(Value);
 }
 
 std::string FormatWord(const FSpirvThreadView& Thread, uint32_t Word, ESpirvType Kind)

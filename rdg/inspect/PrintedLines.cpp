@@ -2,6 +2,8 @@
 #include "PrintedLines.h"
 
 #include "OperationText.h"
+#include "RangeTools.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,12 +59,8 @@ EPrintCall FindPrintCall(const FSpirvModule& Module, const FSpirvFunction& Funct
 
 std::vector<EPrintCall> FindPrintCalls(const FSpirvModule& Module)
 {
-	std::vector<EPrintCall> Calls;
-	for (const FSpirvFunction& Function : Module.Functions)
-	{
-		Calls.push_back(FindPrintCall(Module, Function));
-	}
-	return Calls;
+	return ToVector<EPrintCall>(
+		Module.Functions, [&](const FSpirvFunction& Function) { return FindPrintCall(Module, Function); });
 }
 
 std::string FormatNumber(double Number, ESpirvType Kind, char Conversion, int Precision)
@@ -87,11 +85,8 @@ std::string FormatNumber(double Number, ESpirvType Kind, char Conversion, int Pr
 
 std::string FormatValue(const FPrintedValue& Value, char Conversion, int Precision)
 {
-	std::string Text;
-	for (const double Number : Value.Numbers)
-	{
-		Text += (Text.empty() ? "" : ", ") + FormatNumber(Number, Value.Kind, Conversion, Precision);
-	}
+	std::string Text = JoinText(Value.Numbers, ", ",
+		[&](const double Number) { return FormatNumber(Number, Value.Kind, Conversion, Precision); });
 	return Value.Numbers.size() == 1 ? Text : "(" + Text + ")";
 }
 

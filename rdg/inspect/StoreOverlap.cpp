@@ -2,7 +2,6 @@
 #include "StoreOverlap.h"
 
 #include <map>
-#include <tuple>
 
 namespace Drydock
 {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Drydock
 {

@@ -11,17 +11,10 @@ namespace
 
 VkSamplerAddressMode ToVulkan(EKernelAddress Address)
 {
-	switch (Address)
-	{
-	case EKernelAddress::Wrap:
-		return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-	case EKernelAddress::Mirror:
-		return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-	case EKernelAddress::Border:
-		return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
-	default:
-		return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-	}
+	return Address == EKernelAddress::Wrap     ? VK_SAMPLER_ADDRESS_MODE_REPEAT
+		   : Address == EKernelAddress::Mirror ? VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT
+		   : Address == EKernelAddress::Border ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER
+											   : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
 
 VkBorderColor ToVulkan(const float (&Border)[4])

@@ -19,17 +19,10 @@ constexpr const char* GLoader = "libvulkan.so.1";
 /** The lower, the better. */
 int GetRank(VkPhysicalDeviceType Type)
 {
-	switch (Type)
-	{
-	case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
-		return 0;
-	case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
-		return 1;
-	case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
-		return 2;
-	default:
-		return 3;
-	}
+	return Type == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU     ? 0
+		   : Type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ? 1
+		   : Type == VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU    ? 2
+															: 3;
 }
 
 } // namespace

@@ -31,25 +31,10 @@ void Put(std::vector<uint32_t>& Out, uint16_t Op, std::initializer_list<uint32_t
 /** Lines, names and what drydock's own reader wants of them: a driver need not know the extensions behind these. */
 bool IsForReaders(uint16_t Op)
 {
-	switch (Op)
-	{
-	case OpSourceContinued:
-	case OpSource:
-	case OpSourceExtension:
-	case OpName:
-	case OpMemberName:
-	case OpString:
-	case OpLine:
-	case OpNoLine:
-	case OpModuleProcessed:
-	case OpExtension:
-	case OpDecorateId:
-	case OpDecorateString:
-	case OpMemberDecorateString:
-		return true;
-	default:
-		return false;
-	}
+	static const std::set<uint16_t> Ops = {OpSourceContinued, OpSource, OpSourceExtension, OpName, OpMemberName,
+		OpString, OpLine, OpNoLine, OpModuleProcessed, OpExtension, OpDecorateId, OpDecorateString,
+		OpMemberDecorateString};
+	return Ops.count(Op) > 0;
 }
 
 bool IsResource(const FSpirvVariable& Variable)

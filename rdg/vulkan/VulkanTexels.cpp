@@ -93,8 +93,7 @@ FVulkanTexels GetStorageTexels(uint32_t SpirvFormat, ETexelStorage Storage)
 		{33, 1, ESpirvType::Uint},
 		{35, 2, ESpirvType::Uint},
 	};
-	const FKnown* const Found = std::find_if(
-		std::begin(Known), std::end(Known), [SpirvFormat](const FKnown& One) { return One.Format == SpirvFormat; });
+	const FKnown* const Found = std::ranges::find(Known, SpirvFormat, &FKnown::Format);
 	if (Found == std::end(Known))
 	{
 		throw FVulkanError("the shader declares a texture that it writes with image format " +

@@ -3,6 +3,7 @@
 #include "BlendContributions.h"
 
 #include "SettingObjects.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,13 +73,9 @@ void BlendContributions(FFinalPostProcessSettings& Settings, const FPostProcessS
 
 std::string DescribeLUTs(const FFinalPostProcessSettings& Settings)
 {
-	std::string Text;
-	for (const FFinalPostProcessSettings::FLUTEntry& Entry : Settings.ContributingLUTs)
-	{
-		Text += (Text.empty() ? "" : ", ") + GetObjectPath(Entry.LUT.Get()) +
-				Format(" %.4g %%", 100.0 * static_cast<double>(Entry.Weight));
-	}
-	return Text;
+	return JoinText(Settings.ContributingLUTs, ", ",
+		[&](const FFinalPostProcessSettings::FLUTEntry& Entry)
+		{ return GetObjectPath(Entry.LUT.Get()) + Format(" %.4g %%", 100.0 * static_cast<double>(Entry.Weight)); });
 }
 
 std::string DescribeCubemaps(const FFinalPostProcessSettings& Settings)

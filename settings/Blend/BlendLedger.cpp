@@ -20,24 +20,8 @@ const std::vector<FBlendLedgerEntry>& FBlendLedger::GetEntries(const std::string
 
 const char* ToString(EBlendSource Kind)
 {
-	switch (Kind)
-	{
-	case EBlendSource::Default:
-		return "default";
-	case EBlendSource::Variable:
-		return "variable";
-	case EBlendSource::Volume:
-		return "volume";
-	case EBlendSource::Camera:
-		return "camera";
-	case EBlendSource::CommandLine:
-		return "commandLine";
-	case EBlendSource::ShowFlag:
-		return "showFlag";
-	case EBlendSource::Extension:
-		return "extension";
-	}
-	return "?";
+	constexpr const char* Names[] = {"default", "variable", "volume", "camera", "commandLine", "showFlag", "extension"};
+	return Names[size_t(Kind)];
 }
 
 int32 FindSettingIndex(const std::string& Name)

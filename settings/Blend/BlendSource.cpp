@@ -23,8 +23,7 @@ FOverriddenFields FindOverriddenFields(const FPostProcessSettings& Settings)
 bool IsIneffective(const FSettingField& Field, const FSettingValue& Value)
 {
 	return Field.Blend == ESettingBlend::SetIfNonZero && Value.Object == nullptr &&
-		   std::all_of(std::begin(Value.Components), std::end(Value.Components),
-			   [](double Component) { return Component == 0.0; });
+		   std::ranges::all_of(Value.Components, [](double Component) { return Component == 0.0; });
 }
 
 } // namespace Drydock

@@ -1,5 +1,6 @@
 // Finds the nearest point of a convex hull. Source: the paper named in the header.
 #include "PostProcessVolumeHull.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <array>
@@ -218,12 +219,10 @@ double GetDistanceToHull(const std::vector<FVector>& Corners, const FVector& Poi
 		return Corners.empty() ? std::numeric_limits<double>::infinity() : 0.0;
 	}
 	const FWide WidePoint = {Point.X, Point.Y, Point.Z};
-	std::vector<FWide> Offsets;
-	Offsets.reserve(Corners.size());
-	for (const FVector& Corner : Corners)
-	{
-		Offsets.push_back((FWide{Corner.X, Corner.Y, Corner.Z} - WidePoint) * (FReal(1.0) / Scale));
-	}
+	auto Offsets = ToVector<FWide>(Corners,
+		[&](const FVector& Corner) {
+			return (FWide{Corner.X, Corner.Y, Corner.Z} - WidePoint) * (FReal(1.0) / Scale);
+		});
 	const FReal Distance = FindDistance(Offsets);
 	return Distance <= RoundingError ? 0.0 : static_cast<double>(Distance * Scale);
 }

@@ -2,6 +2,7 @@
 #include "BlendSettings.h"
 
 #include "BlendContributions.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,7 +191,7 @@ struct FSettingsBlender::FPass
 			{
 				continue;
 			}
-			auto Found = std::find_if(Result.Ties.begin(), Result.Ties.end(),
+			auto Found = std::ranges::find_if(Result.Ties,
 				[&](const FBlendTie& Each) { return Each.First == Tie.First && Each.Second == Tie.Second; });
 			if (Found == Result.Ties.end())
 			{
@@ -198,8 +199,7 @@ struct FSettingsBlender::FPass
 			}
 			Found->Settings.emplace_back(GetSettingFields()[Index].Name);
 		}
-		std::sort(Result.Ties.begin(), Result.Ties.end(),
-			[](const FBlendTie& A, const FBlendTie& B)
+		std::ranges::sort(Result.Ties, [](const FBlendTie& A, const FBlendTie& B)
 			{ return std::pair(A.Second, A.First) < std::pair(B.Second, B.First); });
 	}
 };
@@ -216,10 +216,9 @@ FSettingsBlender::FSettingsBlender(FBlendInputs InInputs)
 		Volume.Priority = std::isnan(Volume.Priority) ? 0.0f : Volume.Priority; // what has no order cannot be sorted
 	}
 	std::iota(Order.begin(), Order.end(), size_t{0});
-	std::stable_sort(Order.begin(), Order.end(),
-		[this](size_t A, size_t B) { return Inputs.Volumes[A].Priority < Inputs.Volumes[B].Priority; });
-	bEqualPriorities = std::adjacent_find(Order.begin(), Order.end(),
-						   [this](size_t A, size_t B)
+	std::ranges::stable_sort(
+		Order, [this](size_t A, size_t B) { return Inputs.Volumes[A].Priority < Inputs.Volumes[B].Priority; });
+	bEqualPriorities = std::ranges::adjacent_find(Order, [this](size_t A, size_t B)
 						   { return Inputs.Volumes[A].Priority == Inputs.Volumes[B].Priority; }) != Order.end();
 	const auto Note = [this](const FOverriddenFields& Fields)
 	{
@@ -254,12 +253,8 @@ FVolumeAtPlace FSettingsBlender::MeasureVolume(size_t Index, const FVector& Loca
 
 std::vector<FVolumeAtPlace> FSettingsBlender::FindVolumes(const FVector& Location) const
 {
-	std::vector<FVolumeAtPlace> Places;
-	for (const size_t Index : Order)
-	{
-		Places.push_back(MeasureVolume(Index, Location, !Inputs.Volumes[Index].bUnbound));
-	}
-	return Places;
+	return ToVector<FVolumeAtPlace>(
+		Order, [&](const size_t Index) { return MeasureVolume(Index, Location, !Inputs.Volumes[Index].bUnbound); });
 }
 
 FBlendedSettings FSettingsBlender::At(const FVector& Location, FBlendLedger* Ledger) const

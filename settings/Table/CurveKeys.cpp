@@ -44,11 +44,8 @@ const std::vector<std::string>& GetCurveInterpNames()
 std::string WriteCurveKeys(const FRichCurve& Curve)
 {
 	check(Curve.Keys.Num() > 0);
-	std::string Text;
-	for (const FRichCurveKey& Key : Curve.Keys)
-	{
-		Text += (Text.empty() ? "" : ", ") + FormatShortest(Key.Time) + " " + FormatShortest(Key.Value);
-	}
+	std::string Text = JoinText(Curve.Keys, ", ",
+		[&](const FRichCurveKey& Key) { return FormatShortest(Key.Time) + " " + FormatShortest(Key.Value); });
 	return GetCurveInterpNames()[static_cast<size_t>(Curve.Keys[0].InterpMode)] + "(" + Text + ")";
 }
 

@@ -1,5 +1,6 @@
 // The table of engine versions, and its rows by number and by name.
 #include "EngineProfile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -64,12 +65,7 @@ const FEngineProfile& GetDefaultEngineProfile()
 
 std::string ListEngineVersions(const char* Separator)
 {
-	std::string Versions;
-	for (const FEngineProfile& Row : GetEngineProfiles())
-	{
-		Versions += (Versions.empty() ? "" : Separator) + Row.GetVersion();
-	}
-	return Versions;
+	return JoinText(GetEngineProfiles(), Separator, [&](const FEngineProfile& Row) { return Row.GetVersion(); });
 }
 
 } // namespace Drydock

@@ -2,9 +2,9 @@
 #include "PostProcessSettingsReflection.h"
 
 #include "PostProcessSettingsBlending.h"
+#include "RangeTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace Drydock
@@ -101,20 +101,11 @@ std::vector<FSettingField> MakeSettingFields()
 
 int32 FSettingField::GetNumComponents() const
 {
-	switch (Type)
-	{
-	case ESettingType::Color:
-	case ESettingType::Vector4:
-		return 4;
-	case ESettingType::Vector2:
-		return 2;
-	case ESettingType::ColorArray:
-		return MaxSettingComponents;
-	case ESettingType::Object:
-		return 0;
-	default:
-		return 1;
-	}
+	return Type == ESettingType::Color || Type == ESettingType::Vector4 ? 4
+		   : Type == ESettingType::Vector2                              ? 2
+		   : Type == ESettingType::ColorArray                           ? MaxSettingComponents
+		   : Type == ESettingType::Object                               ? 0
+																		: 1;
 }
 
 bool FSettingField::IsInRange(const FSettingValue& Value) const
@@ -150,33 +141,26 @@ size_t GetNumTableSettings()
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
 	return static_cast<size_t>(
-		std::count_if(Fields.begin(), Fields.end(), [](const FSettingField& Field) { return Field.AddedId == 0; }));
+		std::ranges::count_if(Fields, [](const FSettingField& Field) { return Field.AddedId == 0; }));
 }
 
 const FSettingField* FindSettingField(const std::string& Name)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found =
-		std::find_if(Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.Name == Name; });
+	const auto Found = std::ranges::find(Fields, Name, &FSettingField::Name);
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 
 const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found = std::find_if(
-		Fields.begin(), Fields.end(), [&](const FSettingField& Field) { return Field.OverrideName == OverrideName; });
+	const auto Found = std::ranges::find(Fields, OverrideName, &FSettingField::OverrideName);
 	return Found == Fields.end() ? nullptr : &*Found;
 }
 
 std::vector<std::string> GetSettingNames()
 {
-	std::vector<std::string> Names;
-	for (const FSettingField& Field : GetSettingFields())
-	{
-		Names.emplace_back(Field.Name);
-	}
-	return Names;
+	return ToVector<std::string>(GetSettingFields(), &FSettingField::Name);
 }
 
 } // namespace Drydock

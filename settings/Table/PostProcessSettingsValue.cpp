@@ -9,54 +9,20 @@ namespace Drydock
 
 bool FSettingValue::IsFinite() const
 {
-	return std::all_of(
-		std::begin(Components), std::end(Components), [](double Component) { return std::isfinite(Component); });
+	return std::ranges::all_of(Components, [](double Component) { return std::isfinite(Component); });
 }
 
 const char* ToString(ESettingBlend Blend)
 {
-	switch (Blend)
-	{
-	case ESettingBlend::Lerp:
-		return "Lerp";
-	case ESettingBlend::Set:
-		return "Set";
-	case ESettingBlend::SetIfNonZero:
-		return "SetIfNonZero";
-	case ESettingBlend::FocalDistance:
-		return "FocalDistance";
-	case ESettingBlend::Accumulate:
-		return "Accumulate";
-	case ESettingBlend::LUT:
-		return "LUT";
-	}
-	return "?";
+	constexpr const char* Names[] = {"Lerp", "Set", "SetIfNonZero", "FocalDistance", "Accumulate", "LUT"};
+	return Names[size_t(Blend)];
 }
 
 const char* ToString(ESettingType Type)
 {
-	switch (Type)
-	{
-	case ESettingType::Float:
-		return "float";
-	case ESettingType::Bool:
-		return "bool";
-	case ESettingType::Int:
-		return "int";
-	case ESettingType::Enum:
-		return "enum";
-	case ESettingType::Color:
-		return "color";
-	case ESettingType::Vector2:
-		return "vector2";
-	case ESettingType::Vector4:
-		return "vector4";
-	case ESettingType::Object:
-		return "object";
-	case ESettingType::ColorArray:
-		return "color[8]";
-	}
-	return "?";
+	constexpr const char* Names[] = {
+		"float", "bool", "int", "enum", "color", "vector2", "vector4", "object", "color[8]"};
+	return Names[size_t(Type)];
 }
 
 } // namespace Drydock

@@ -63,15 +63,10 @@ bool NumberFromText(const std::string& Untrimmed, double& OutNumber)
 
 bool FitsType(ESettingType Type, double Number)
 {
-	if (IsFloatType(Type))
-	{
-		return std::fabs(Number) <= std::numeric_limits<float>::max();
-	}
-	if (Type == ESettingType::Int)
-	{
-		return Number == std::floor(Number) && std::fabs(Number) <= std::numeric_limits<int32>::max();
-	}
-	return true;
+	return IsFloatType(Type) ? std::fabs(Number) <= std::numeric_limits<float>::max()
+		   : Type == ESettingType::Int
+			   ? Number == std::floor(Number) && std::fabs(Number) <= std::numeric_limits<int32>::max()
+			   : true;
 }
 
 /** "[1, 2]" and "(R=1,G=2)" to {"1", "2"}; components of the second form in the order given. Brackets inside stay. */

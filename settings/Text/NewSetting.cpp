@@ -72,27 +72,12 @@ std::string FormatDefault(const FSettingField& Field, const std::string& Type)
 
 std::string GetCppType(const FSettingField& Field)
 {
-	switch (Field.Type)
-	{
-	case ESettingType::Float:
-		return "float";
-	case ESettingType::Bool:
-		return "bool";
-	case ESettingType::Int:
-		return "int32";
-	case ESettingType::Enum:
-		return std::string("E") + Field.Name;
-	case ESettingType::Color:
-	case ESettingType::ColorArray:
-		return "FLinearColor";
-	case ESettingType::Vector2:
-		return "FVector2D";
-	case ESettingType::Vector4:
-		return "FVector4";
-	case ESettingType::Object:
-		return std::string("TObjectPtr<class U") + Field.ObjectClass + ">";
-	}
-	return "";
+	constexpr const char* Types[] = {
+		"float", "bool", "int32", "E", "FLinearColor", "FVector2D", "FVector4", "TObjectPtr<class U", "FLinearColor"};
+	return std::string(Types[size_t(Field.Type)]) + (Field.Type == ESettingType::Enum ? Field.Name
+														: Field.Type == ESettingType::Object
+															? std::string(Field.ObjectClass) + ">"
+															: "");
 }
 
 /** A bound in the table's words: 0, 0.02. */
@@ -104,11 +89,8 @@ std::string FormatBound(double Bound)
 
 std::string FormatRange(const FSettingRange& Range)
 {
-	if (!std::isfinite(Range.ClampMin))
-	{
-		return "Anything";
-	}
-	return std::isfinite(Range.ClampMax)
+	return !std::isfinite(Range.ClampMin) ? "Anything"
+		   : std::isfinite(Range.ClampMax)
 			   ? "Between(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.ClampMax) + ")"
 			   : "AtLeast(" + FormatBound(Range.ClampMin) + ", " + FormatBound(Range.UIMax) + ")";
 }
@@ -161,14 +143,13 @@ std::optional<FNewSetting> MakeNewSetting(
 		OutError = "\"" + Name + "\" is not a name: use letters, digits and underscores, and no digit first";
 		return std::nullopt;
 	}
-	if (std::find(Types.begin(), Types.end(), Setting.Type) == Types.end())
+	if (std::ranges::find(Types, Setting.Type) == Types.end())
 	{
 		OutError = "there is no type " + Type + "; there are float, bool, int, color, vector2, vector4";
 		return std::nullopt;
 	}
 	// Fields of the same types know how values are read and written.
-	const auto Same = std::find_if(GetSettingFields().begin(), GetSettingFields().end(),
-		[&](const FSettingField& Field)
+	const auto Same = std::ranges::find_if(GetSettingFields(), [&](const FSettingField& Field)
 		{ return GetCppType(Field) == Setting.Type && GetNumTextElements(Field) == 1; });
 	FSettingField Model = *Same;
 	Model.Default = FSettingValue{Model.Type};

@@ -24,8 +24,8 @@ constexpr const char* ReadProperties[] = {"Settings", "Priority", "BlendRadius",
 /** As the engine spells it; empty when it is none that is read. */
 std::string FindProperty(const std::string& Name)
 {
-	const auto Found = std::find_if(std::begin(ReadProperties), std::end(ReadProperties),
-		[&](const char* Property) { return ToLowerCase(Property) == ToLowerCase(Name); });
+	const auto Found = std::ranges::find_if(
+		ReadProperties, [&](const char* Property) { return ToLowerCase(Property) == ToLowerCase(Name); });
 	return Found == std::end(ReadProperties) ? "" : *Found;
 }
 
@@ -284,8 +284,7 @@ private:
 
 const FEngineTextItem* FEngineTextBlock::Find(const char* Property) const
 {
-	const auto Found = std::find_if(
-		Properties.begin(), Properties.end(), [&](const FEngineTextItem& Item) { return Item.Name == Property; });
+	const auto Found = std::ranges::find(Properties, Property, &FEngineTextItem::Name);
 	return Found == Properties.end() ? nullptr : &*Found;
 }
 

@@ -212,8 +212,7 @@ private:
 		const size_t Open = At++;
 		SkipEngineTextSpace(Text, At);
 		const std::string Word = ReadEngineTextWord(Text, At);
-		const bool bDigits =
-			!Word.empty() && Word.size() <= MaxIndexDigits && std::all_of(Word.begin(), Word.end(), IsDigit);
+		const bool bDigits = !Word.empty() && Word.size() <= MaxIndexDigits && std::ranges::all_of(Word, IsDigit);
 		At += Word.size();
 		SkipEngineTextSpace(Text, At);
 		if (!bDigits || !Is(']'))

@@ -5,7 +5,6 @@
 #include "SettingObjects.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -131,10 +130,8 @@ bool ReadEnum(
 		Names.emplace_back(Field.EnumNames[Index]);
 		List += std::string(Index == 0 ? " " : ", ") + Names.back();
 	}
-	const std::string Nearest = bText ? FindNearestName(Name, Names) : "";
 	return Refuse(OutProblem, bText ? ErrorTextUnknownName : ErrorTextWrongType, Text,
-		"expected one of" + List + ", found " + Text.Describe() +
-			(Nearest.empty() ? "" : "; did you mean " + Nearest + "?"));
+		"expected one of" + List + ", found " + Text.Describe() + (bText ? SuggestName(Name, Names) : ""));
 }
 
 /** (R=..,G=..,B=..,A=..), any of them, in any order. */

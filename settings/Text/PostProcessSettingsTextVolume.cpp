@@ -34,8 +34,7 @@ bool HasVolumeSettings(const FEngineTextBlock& Block)
 	}
 	const std::vector<FEngineTextItem>& Items = Settings->Value.Items;
 	return Block.Class.empty() || Contains(Block.Class, "PostProcess") ||
-		   std::any_of(Items.begin(), Items.end(),
-			   [](const FEngineTextItem& Item) { return Item.Name.starts_with("bOverride_"); });
+		   std::ranges::any_of(Items, [](const FEngineTextItem& Item) { return Item.Name.starts_with("bOverride_"); });
 }
 
 /** Reads plain properties of a block; a wrong one is reported and keeps its default. */
@@ -88,8 +87,8 @@ public:
 		}
 		for (const FEngineTextItem& Member : Item->Value.Items)
 		{
-			const auto Part = std::find_if(std::begin(Parts), std::end(Parts),
-				[&](const char* Each) { return ToLowerCase(Each) == ToLowerCase(Member.Name); });
+			const auto Part = std::ranges::find_if(
+				Parts, [&](const char* Each) { return ToLowerCase(Each) == ToLowerCase(Member.Name); });
 			if (Part == std::end(Parts))
 			{
 				Messages.Error(ErrorTextUnknownName, Member.Offset, Where + Name,
@@ -201,8 +200,7 @@ std::optional<FVolumeTextBox> ReadBox(
 	{
 		ReadVertices(Actor.Vertices, Brush);
 	}
-	const bool bRotated =
-		std::any_of(std::begin(Box.Rotation), std::end(Box.Rotation), [](double A) { return A != 0.0; });
+	const bool bRotated = std::ranges::any_of(Box.Rotation, [](double A) { return A != 0.0; });
 	for (int Axis = 0; Axis < 3; ++Axis)
 	{
 		const double Middle = (Brush.Min[Axis] + Brush.Max[Axis]) / 2.0;

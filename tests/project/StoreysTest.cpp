@@ -121,7 +121,12 @@ TEST(Storeys, EveryQuotedIncludeIsFoundInTheHouse)
 	EXPECT_GT(GetIncludes().size(), 100u);
 	for (const FInclude& Include : GetIncludes())
 	{
-		EXPECT_FALSE(Include.To.empty()) << Include.From << " includes \"" << Include.Name << "\", which no storey has";
+		// A table of data that a source includes lies beside it.
+		const std::filesystem::path Folder = std::filesystem::path(DRYDOCK_TEST_SOURCE_DIR) / Include.From;
+		const bool bData =
+			Include.Name.ends_with(".txt") && std::filesystem::exists(Folder.parent_path() / Include.Name);
+		EXPECT_TRUE(bData || !Include.To.empty())
+			<< Include.From << " includes \"" << Include.Name << "\", which no storey has";
 	}
 }
 

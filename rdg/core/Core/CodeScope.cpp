@@ -7,13 +7,13 @@
 #include "HAL/Watchdog.h"
 #include "Misc/AssertionMacros.h"
 #include "PrintText.h"
+#include "RangeTools.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cxxabi.h>
 #include <exception>
 #include <typeinfo>
-#include <vector>
 
 static TAutoConsoleVariable<float> CVarDrydockPluginSeconds(TEXT("r.Drydock.PluginSeconds"), 300.0f,
 	TEXT("A plugin's function that has not come back for this many seconds, nor called drydock in them, ends the\n")
@@ -136,11 +136,8 @@ void RethrowOf(const FCodeOwner& Owner)
 	}
 	catch (const FError& Error)
 	{
-		std::vector<FDiagnostic> Diagnostics;
-		for (const FDiagnostic& Diagnostic : Error.GetDiagnostics())
-		{
-			Diagnostics.push_back(AddWords(Diagnostic, Owner));
-		}
+		auto Diagnostics = ToVector<FDiagnostic>(
+			Error.GetDiagnostics(), [&](const FDiagnostic& Diagnostic) { return AddWords(Diagnostic, Owner); });
 		throw FError(std::move(Diagnostics), Error.GetExitCode());
 	}
 	catch (const FCheckFailure& Failure)

@@ -16,15 +16,7 @@ namespace
 
 const char* GetSeverityName(ESeverity Severity)
 {
-	switch (Severity)
-	{
-	case ESeverity::Note:
-		return "note";
-	case ESeverity::Warning:
-		return "warning";
-	default:
-		return "error";
-	}
+	return Severity == ESeverity::Note ? "note" : Severity == ESeverity::Warning ? "warning" : "error";
 }
 
 /** No name is longer; a text of megabytes in its place is not a misspelling, and would be compared letter by letter. */
@@ -134,6 +126,12 @@ std::string FindNearestName(const std::string& Name, const std::vector<std::stri
 		}
 	}
 	return Nearest;
+}
+
+std::string SuggestName(const std::string& Name, const std::vector<std::string>& Candidates)
+{
+	const std::string Nearest = FindNearestName(Name, Candidates);
+	return Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
 }
 
 } // namespace Drydock

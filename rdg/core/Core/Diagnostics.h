@@ -65,4 +65,7 @@ private:
  *  (more than a third of the letters differ). */
 DRYDOCK_API std::string FindNearestName(const std::string& Name, const std::vector<std::string>& Candidates);
 
+/** "; did you mean X?" for the end of a message, with that name; empty when none is near enough. */
+DRYDOCK_API std::string SuggestName(const std::string& Name, const std::vector<std::string>& Candidates);
+
 } // namespace Drydock

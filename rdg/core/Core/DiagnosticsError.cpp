@@ -1,5 +1,6 @@
 // Builds the text of an error that carries many messages.
 #include "DiagnosticList.h"
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -9,12 +10,7 @@ namespace
 
 std::string JoinLines(const std::vector<FDiagnostic>& Diagnostics)
 {
-	std::string Text;
-	for (const FDiagnostic& Diagnostic : Diagnostics)
-	{
-		Text += (Text.empty() ? "" : "\n") + Diagnostic.ToString();
-	}
-	return Text;
+	return JoinText(Diagnostics, "\n", [&](const FDiagnostic& Diagnostic) { return Diagnostic.ToString(); });
 }
 
 } // namespace

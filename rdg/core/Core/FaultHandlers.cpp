@@ -92,21 +92,12 @@ private:
 
 const char* GetSignalText(int Signal)
 {
-	switch (Signal)
-	{
-	case SIGSEGV:
-		return "segmentation fault (SIGSEGV)";
-	case SIGBUS:
-		return "bus error (SIGBUS)";
-	case SIGFPE:
-		return "arithmetic fault (SIGFPE)";
-	case SIGILL:
-		return "illegal instruction (SIGILL)";
-	case SIGTRAP:
-		return "breakpoint (SIGTRAP)";
-	default:
-		return "abort (SIGABRT)";
-	}
+	return Signal == SIGSEGV   ? "segmentation fault (SIGSEGV)"
+		   : Signal == SIGBUS  ? "bus error (SIGBUS)"
+		   : Signal == SIGFPE  ? "arithmetic fault (SIGFPE)"
+		   : Signal == SIGILL  ? "illegal instruction (SIGILL)"
+		   : Signal == SIGTRAP ? "breakpoint (SIGTRAP)"
+							   : "abort (SIGABRT)";
 }
 
 const void* GetInstruction(const void* Context)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -46,14 +47,14 @@ inline std::string Trim(std::string_view Text)
 		First == Text.npos ? std::string_view() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1));
 }
 
-/** The strings of a range with the separator between them. */
-template<typename TRange>
-std::string JoinText(const TRange& Parts, std::string_view Separator = ", ")
+/** The strings of a range, or those that a function gives for its items, with the separator between them. */
+template<typename TRange, typename TFunction = std::identity>
+std::string JoinText(const TRange& Parts, std::string_view Separator = ", ", TFunction Function = {})
 {
 	std::string Text;
-	for (const std::string& Part : Parts)
+	for (const auto& Part : Parts)
 	{
-		Text.append(Text.empty() ? std::string_view() : Separator).append(Part);
+		Text.append(Text.empty() ? std::string_view() : Separator).append(std::invoke(Function, Part));
 	}
 	return Text;
 }

@@ -344,8 +344,7 @@ uint8_t EncodeSrgb8(double Linear)
 	{
 		return 0; // NaN too
 	}
-	return uint8_t(
-		std::lower_bound(Thresholds.begin(), Thresholds.end(), static_cast<long double>(Linear)) - Thresholds.begin());
+	return uint8_t(std::ranges::lower_bound(Thresholds, static_cast<long double>(Linear)) - Thresholds.begin());
 }
 
 double DecodeSrgb8(uint8_t Code)

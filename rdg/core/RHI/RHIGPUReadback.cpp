@@ -3,8 +3,6 @@
 
 #include "TextureTransfer.h"
 
-#include <algorithm>
-
 FRHIGPUMemoryReadback::~FRHIGPUMemoryReadback() = default;
 
 void FRHIGPUMemoryReadback::Unlock()

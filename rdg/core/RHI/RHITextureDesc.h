@@ -250,80 +250,32 @@ struct FRHITextureCreateDesc : FRHITextureDesc
 			.SetFormat(InFormat);
 	}
 
-	FRHITextureCreateDesc& SetFlags(ETextureCreateFlags InFlags)
-	{
-		Flags = InFlags;
-		return *this;
-	}
-	FRHITextureCreateDesc& AddFlags(ETextureCreateFlags InFlags)
-	{
-		Flags |= InFlags;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetClearValue(FClearValueBinding InClearValue)
-	{
-		ClearValue = InClearValue;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetExtData(uint32 InExtData)
-	{
-		ExtData = InExtData;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetExtent(FIntPoint InExtent)
-	{
-		Extent = InExtent;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetExtent(int32 X, int32 Y)
-	{
-		Extent = FIntPoint(X, Y);
-		return *this;
-	}
-	FRHITextureCreateDesc& SetDepth(uint16 InDepth)
-	{
-		Depth = InDepth;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetArraySize(uint16 InArraySize)
-	{
-		ArraySize = InArraySize;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetNumMips(uint8 InNumMips)
-	{
-		NumMips = InNumMips;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetNumSamples(uint8 InNumSamples)
-	{
-		NumSamples = InNumSamples;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetFormat(EPixelFormat InFormat)
-	{
-		Format = InFormat;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetUAVFormat(EPixelFormat InFormat)
-	{
-		UAVFormat = InFormat;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetInitialState(ERHIAccess InState)
-	{
-		InitialState = InState;
-		return *this;
-	}
-	FRHITextureCreateDesc& SetDebugName(const TCHAR* Name)
-	{
-		DebugName = Name;
-		return *this;
-	}
+	FRHITextureCreateDesc& SetFlags(ETextureCreateFlags InFlags) { return With(Flags, InFlags); }
+	FRHITextureCreateDesc& AddFlags(ETextureCreateFlags InFlags) { return With(Flags, Flags | InFlags); }
+	FRHITextureCreateDesc& SetClearValue(FClearValueBinding InClearValue) { return With(ClearValue, InClearValue); }
+	FRHITextureCreateDesc& SetExtData(uint32 InExtData) { return With(ExtData, InExtData); }
+	FRHITextureCreateDesc& SetExtent(FIntPoint InExtent) { return With(Extent, InExtent); }
+	FRHITextureCreateDesc& SetExtent(int32 X, int32 Y) { return With(Extent, FIntPoint(X, Y)); }
+	FRHITextureCreateDesc& SetDepth(uint16 InDepth) { return With(Depth, InDepth); }
+	FRHITextureCreateDesc& SetArraySize(uint16 InArraySize) { return With(ArraySize, InArraySize); }
+	FRHITextureCreateDesc& SetNumMips(uint8 InNumMips) { return With(NumMips, InNumMips); }
+	FRHITextureCreateDesc& SetNumSamples(uint8 InNumSamples) { return With(NumSamples, InNumSamples); }
+	FRHITextureCreateDesc& SetFormat(EPixelFormat InFormat) { return With(Format, InFormat); }
+	FRHITextureCreateDesc& SetUAVFormat(EPixelFormat InFormat) { return With(UAVFormat, InFormat); }
+	FRHITextureCreateDesc& SetInitialState(ERHIAccess InState) { return With(InitialState, InState); }
+	FRHITextureCreateDesc& SetDebugName(const TCHAR* Name) { return With(DebugName, Name); }
 	FRHITextureCreateDesc& DetermineInititialState() { return *this; }
 
 	const TCHAR* DebugName = TEXT("");
 	ERHIAccess InitialState = ERHIAccess::Unknown;
+
+private:
+	template<typename T>
+	FRHITextureCreateDesc& With(T& Member, const std::type_identity_t<T>& Value)
+	{
+		Member = Value;
+		return *this;
+	}
 };
 
 struct FRHIBufferDesc

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -187,17 +186,10 @@ void DecodeTexelRow(ETexelStorage Storage, const void* Texels, int32_t Count, in
 	}
 	if (FindCodes(Storage, Codes))
 	{
-		switch (TexelBytes)
-		{
-		case 1:
-			return DecodeCodes<1>(Codes, Bytes, Count, NumChannels, OutValues);
-		case 2:
-			return DecodeCodes<2>(Codes, Bytes, Count, NumChannels, OutValues);
-		case 4:
-			return DecodeCodes<4>(Codes, Bytes, Count, NumChannels, OutValues);
-		default:
-			return DecodeCodes<8>(Codes, Bytes, Count, NumChannels, OutValues);
-		}
+		return TexelBytes == 1   ? DecodeCodes<1>(Codes, Bytes, Count, NumChannels, OutValues)
+			   : TexelBytes == 2 ? DecodeCodes<2>(Codes, Bytes, Count, NumChannels, OutValues)
+			   : TexelBytes == 4 ? DecodeCodes<4>(Codes, Bytes, Count, NumChannels, OutValues)
+								 : DecodeCodes<8>(Codes, Bytes, Count, NumChannels, OutValues);
 	}
 	for (int32_t Index = 0; Index < Count; ++Index, Bytes += TexelBytes)
 	{

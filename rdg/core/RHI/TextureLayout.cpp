@@ -31,15 +31,9 @@ size_t AlignUp(size_t Size)
 
 ETexelStorage ToSrgb(ETexelStorage Storage)
 {
-	switch (Storage)
-	{
-	case ETexelStorage::RGBA8_UNORM:
-		return ETexelStorage::RGBA8_SRGB;
-	case ETexelStorage::BGRA8_UNORM:
-		return ETexelStorage::BGRA8_SRGB;
-	default:
-		return Storage;
-	}
+	return Storage == ETexelStorage::RGBA8_UNORM   ? ETexelStorage::RGBA8_SRGB
+		   : Storage == ETexelStorage::BGRA8_UNORM ? ETexelStorage::BGRA8_SRGB
+												   : Storage;
 }
 
 /** A mip that lies at Offset. */
@@ -107,11 +101,8 @@ FScopedStorageOverride::~FScopedStorageOverride()
 
 EStorageOverride GetStorageOverride()
 {
-	if (GScopedOverride)
-	{
-		return *GScopedOverride;
-	}
-	return EStorageOverride(std::clamp(CVarDrydockStorage.GetValueOnAnyThread(), 0, 2));
+	return GScopedOverride ? *GScopedOverride
+						   : EStorageOverride(std::clamp(CVarDrydockStorage.GetValueOnAnyThread(), 0, 2));
 }
 
 bool IsStoreOverflowSaturated()

@@ -5,7 +5,6 @@
 #include "TileExecutor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace Drydock

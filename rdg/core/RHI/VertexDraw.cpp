@@ -33,29 +33,17 @@ T Read(const uint8* Bytes, int32 Index)
 
 uint32 GetElementSize(EVertexElementType Type)
 {
-	switch (Type)
+	const auto IsOneOf = [Type](std::initializer_list<EVertexElementType> Types)
 	{
-	case VET_Float1:
-	case VET_PackedNormal:
-	case VET_UByte4:
-	case VET_UByte4N:
-	case VET_Color:
-	case VET_Short2:
-	case VET_Short2N:
-	case VET_Half2:
-	case VET_UInt:
-		return 4;
-	case VET_Float2:
-	case VET_Short4:
-	case VET_Half4:
-		return 8;
-	case VET_Float3:
-		return 12;
-	case VET_Float4:
-		return 16;
-	default:
-		return 0;
-	}
+		return std::ranges::find(Types, Type) != Types.end();
+	};
+	return IsOneOf({VET_Float1, VET_PackedNormal, VET_UByte4, VET_UByte4N, VET_Color, VET_Short2, VET_Short2N,
+			   VET_Half2, VET_UInt})
+			   ? 4
+		   : IsOneOf({VET_Float2, VET_Short4, VET_Half4}) ? 8
+		   : Type == VET_Float3                           ? 12
+		   : Type == VET_Float4                           ? 16
+														  : 0;
 }
 
 /** Reads one element; components that are not there are (0, 0, 0, 1). */

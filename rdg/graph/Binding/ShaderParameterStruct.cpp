@@ -43,8 +43,8 @@ bool Reads(const FShaderReflection& Reflection, const FHlslMember& Member)
 	};
 	const auto IsAnyMeant = [&IsMeant](const std::vector<FShaderResource>& Resources)
 	{
-		return std::any_of(Resources.begin(), Resources.end(),
-			[&IsMeant](const FShaderResource& Resource) { return IsMeant(Resource.Name); });
+		return std::ranges::any_of(
+			Resources, [&IsMeant](const FShaderResource& Resource) { return IsMeant(Resource.Name); });
 	};
 	const auto IsConstantMeant = [&IsMeant](const FShaderConstant& Constant)
 	{
@@ -52,7 +52,7 @@ bool Reads(const FShaderReflection& Reflection, const FHlslMember& Member)
 	};
 	return IsAnyMeant(Reflection.Textures) || IsAnyMeant(Reflection.RWTextures) || IsAnyMeant(Reflection.Samplers) ||
 		   IsAnyMeant(Reflection.Buffers) || IsAnyMeant(Reflection.RWBuffers) ||
-		   std::any_of(Reflection.Constants.begin(), Reflection.Constants.end(), IsConstantMeant);
+		   std::ranges::any_of(Reflection.Constants, IsConstantMeant);
 }
 
 std::shared_ptr<const FShaderReflection> GetReflectionIfAny(const FShaderRef& Shader)
@@ -80,8 +80,7 @@ void ClearUnused(const std::vector<std::shared_ptr<const FShaderReflection>>& Re
 		{
 			return static_cast<const void*>(Kept) == Resource;
 		};
-		if (Resource && std::none_of(Reflections.begin(), Reflections.end(), ReadsMember) &&
-			std::none_of(ExcludeList.begin(), ExcludeList.end(), IsResource))
+		if (Resource && std::ranges::none_of(Reflections, ReadsMember) && std::ranges::none_of(ExcludeList, IsResource))
 		{
 			std::memset(static_cast<uint8*>(Parameters) + Member.Offset, 0, sizeof(void*));
 		}

@@ -188,8 +188,7 @@ FRDGHeapLayout PlaceInHeap(const std::vector<FRDGHeapRequest>& Requests)
 {
 	std::vector<size_t> Order(Requests.size());
 	std::iota(Order.begin(), Order.end(), size_t(0));
-	std::stable_sort(
-		Order.begin(), Order.end(), [&](size_t A, size_t B) { return Requests[A].First < Requests[B].First; });
+	std::ranges::stable_sort(Order, [&](size_t A, size_t B) { return Requests[A].First < Requests[B].First; });
 
 	FRDGHeapLayout Layout;
 	Layout.Offsets.assign(Requests.size(), -1);

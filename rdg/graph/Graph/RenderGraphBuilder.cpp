@@ -11,7 +11,6 @@
 #include "RenderResource.h"
 
 #include <cstdio>
-#include <cstring>
 #include <exception>
 
 using namespace Drydock;

@@ -18,15 +18,9 @@ constexpr uint8 ClobberStencil = 123;
 
 float GetClobberValue(int32 Mode)
 {
-	switch (Mode)
-	{
-	case 2:
-		return std::numeric_limits<float>::quiet_NaN();
-	case 3:
-		return std::numeric_limits<float>::infinity();
-	default:
-		return 1000.0f;
-	}
+	return Mode == 2   ? std::numeric_limits<float>::quiet_NaN()
+		   : Mode == 3 ? std::numeric_limits<float>::infinity()
+					   : 1000.0f;
 }
 
 void FillPlane(FRHITexture& Texture, const void* Texel, int32 Plane)

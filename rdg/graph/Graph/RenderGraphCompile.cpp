@@ -28,15 +28,13 @@ bool FRDGSubresources::Overlaps(const FRDGSubresources& Other) const
 
 const FRDGCompiledPass* FRDGCompiledGraph::FindPass(const std::string& PassName) const
 {
-	const auto Found =
-		std::find_if(Passes.begin(), Passes.end(), [&](const FRDGCompiledPass& Pass) { return Pass.Name == PassName; });
+	const auto Found = std::ranges::find(Passes, PassName, &FRDGCompiledPass::Name);
 	return Found == Passes.end() ? nullptr : &*Found;
 }
 
 const FRDGCompiledResource* FRDGCompiledGraph::FindResource(const std::string& ResourceName) const
 {
-	const auto Found = std::find_if(Resources.begin(), Resources.end(),
-		[&](const FRDGCompiledResource& Resource) { return Resource.Name == ResourceName; });
+	const auto Found = std::ranges::find(Resources, ResourceName, &FRDGCompiledResource::Name);
 	return Found == Resources.end() ? nullptr : &*Found;
 }
 

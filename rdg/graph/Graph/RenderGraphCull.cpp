@@ -1,8 +1,6 @@
 // Decides which passes are left out, and notes what became of their readers.
 #include "RenderGraphCull.h"
 
-#include <algorithm>
-
 namespace Drydock
 {
 

@@ -1,5 +1,6 @@
 // Writes a compiled graph as text, and as a picture for dot.
 #include "RenderGraphDump.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdarg>
@@ -77,12 +78,7 @@ std::string ListUses(const FRDGCompiledGraph& Graph, const std::vector<std::stri
 			Names.push_back(Name);
 		}
 	}
-	std::string Text;
-	for (const std::string& Name : Names)
-	{
-		Text += (Text.empty() ? "" : ", ") + Name;
-	}
-	return Text;
+	return JoinText(Names);
 }
 
 size_t FindNameWidth(const std::vector<std::string>& Names)
@@ -144,15 +140,10 @@ std::string DumpPasses(const FRDGCompiledGraph& Graph, const std::vector<std::st
 
 std::string DescribeHome(const FRDGCompiledResource& Resource)
 {
-	if (Resource.bExternal)
-	{
-		return Resource.bExtracted ? "external, extracted" : "external";
-	}
-	if (Resource.bTransient)
-	{
-		return Format("heap at %lld", static_cast<long long>(Resource.HeapOffset));
-	}
-	return Resource.bExtracted ? "extracted" : "pooled";
+	return Resource.bExternal    ? (Resource.bExtracted ? "external, extracted" : "external")
+		   : Resource.bTransient ? Format("heap at %lld", static_cast<long long>(Resource.HeapOffset))
+		   : Resource.bExtracted ? "extracted"
+								 : "pooled";
 }
 
 std::string Escape(const std::string& Text)
@@ -173,12 +164,9 @@ std::string Escape(const std::string& Text)
 
 std::string DescribeBytes(uint64_t Bytes)
 {
-	if (Bytes >= 1024 * 1024)
-	{
-		return Format("%.2f MiB", double(Bytes) / (1024.0 * 1024.0));
-	}
-	return Bytes >= 1024 ? Format("%.1f KiB", double(Bytes) / 1024.0)
-						 : Format("%llu B", static_cast<unsigned long long>(Bytes));
+	return Bytes >= 1024 * 1024 ? Format("%.2f MiB", double(Bytes) / (1024.0 * 1024.0))
+		   : Bytes >= 1024      ? Format("%.1f KiB", double(Bytes) / 1024.0)
+								: Format("%llu B", static_cast<unsigned long long>(Bytes));
 }
 
 std::string DescribeResource(const FRDGResourceDescription& Resource)

@@ -76,8 +76,7 @@ void FRDGExecutor::CompileShaders()
 	{
 		for (const FShaderRef Shader : {FShaderRef(Pass->ShaderToCompile), FShaderRef(Pass->VertexShaderToCompile)})
 		{
-			if (!Pass->bCulled && Shader.IsValid() &&
-				std::find(Shaders.begin(), Shaders.end(), Shader) == Shaders.end())
+			if (!Pass->bCulled && Shader.IsValid() && std::ranges::find(Shaders, Shader) == Shaders.end())
 			{
 				Shaders.push_back(Shader);
 			}
@@ -130,7 +129,7 @@ EExternalUse GetExternalUse(const FRDGPassResources& Resources, const FRDGViewab
 		};
 		for (const std::shared_ptr<const FShaderReflection>& Shader : Shaders)
 		{
-			if (std::any_of(Shader->Textures.begin(), Shader->Textures.end(), IsMember))
+			if (std::ranges::any_of(Shader->Textures, IsMember))
 			{
 				return EExternalUse::Read;
 			}
@@ -182,8 +181,7 @@ std::vector<FRDGExternalLoad> FRDGExecutor::FindExternals(int32 PassIndex)
 				continue;
 			}
 			Known->second = bRead;
-			const auto Earlier = std::find_if(Found.begin(), Found.end(),
-				[&Load](const FRDGExternalLoad& Other) { return Other.Texture == Load.Texture; });
+			const auto Earlier = std::ranges::find(Found, Load.Texture, &FRDGExternalLoad::Texture);
 			if (Earlier != Found.end())
 			{
 				*Earlier = Load;
@@ -403,7 +401,7 @@ std::vector<FRDGTexture*> FRDGExecutor::FindWritten(const FRDGPass& Pass) const
 			continue;
 		}
 		auto* const Texture = static_cast<FRDGTexture*>(Resource);
-		if (std::find(Written.begin(), Written.end(), Texture) == Written.end())
+		if (std::ranges::find(Written, Texture) == Written.end())
 		{
 			Written.push_back(Texture);
 		}
@@ -421,8 +419,8 @@ void FRDGExecutor::WarnAboutUnused(const FRDGPass& Pass, const FRDGPassResources
 	size_t NumUnused = 0;
 	for (const FRDGViewableResource* Resource : Resources.Viewables)
 	{
-		const bool bViewUsed = std::any_of(Resources.Views.begin(), Resources.Views.end(),
-			[Resource](const FRDGView* View) { return View->GetParent() == Resource && View->bUsed; });
+		const bool bViewUsed = std::ranges::any_of(
+			Resources.Views, [Resource](const FRDGView* View) { return View->GetParent() == Resource && View->bUsed; });
 		if (!Resource->bUsed && !bViewUsed)
 		{
 			Unused += (NumUnused++ ? ", " : "") + std::string(Resource->Name);

@@ -20,8 +20,8 @@ FRDGFeedbackTargets::FRDGFeedbackTargets(
 {
 	for (const FRDGUse& Use : Pass.Uses)
 	{
-		const bool bRead = std::any_of(Pass.Uses.begin(), Pass.Uses.end(),
-			[&](const FRDGUse& Other) { return Use.Access == ERHIAccess::RTV && IsFeedback(Use, Other); });
+		const bool bRead = std::ranges::any_of(
+			Pass.Uses, [&](const FRDGUse& Other) { return Use.Access == ERHIAccess::RTV && IsFeedback(Use, Other); });
 		if (bRead)
 		{
 			Redirect(GetTexture(Use.Resource), Info);
@@ -31,8 +31,7 @@ FRDGFeedbackTargets::FRDGFeedbackTargets(
 
 void FRDGFeedbackTargets::Redirect(FRHITexture* Texture, FRHIRenderPassInfo& Info)
 {
-	const bool bKnown =
-		std::any_of(Targets.begin(), Targets.end(), [&](const FTarget& Target) { return Target.Texture == Texture; });
+	const bool bKnown = std::ranges::any_of(Targets, [&](const FTarget& Target) { return Target.Texture == Texture; });
 	if (bKnown)
 	{
 		return;

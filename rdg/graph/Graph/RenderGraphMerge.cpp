@@ -12,8 +12,7 @@ namespace
 bool WritesOnlyTargets(const FRDGPassDescription& Pass)
 {
 	constexpr ERHIAccess Others = ERHIAccess::UAVMask | ERHIAccess::CopyDest | ERHIAccess::BVHWrite;
-	return std::none_of(
-		Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
+	return std::ranges::none_of(Pass.Uses, [](const FRDGUse& Use) { return EnumHasAnyFlags(Use.Access, Others); });
 }
 
 /** Empty when the two may be one render pass. */
@@ -35,7 +34,7 @@ const char* FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 		return X.Resource == Y.Resource && X.ResolveResource == Y.ResolveResource && X.Mip == Y.Mip &&
 			   X.Slice == Y.Slice;
 	};
-	if (!std::equal(A.Colors.begin(), A.Colors.end(), B.Colors.begin(), B.Colors.end(), IsSameTarget))
+	if (!std::ranges::equal(A.Colors, B.Colors, IsSameTarget))
 	{
 		return "different render targets";
 	}
@@ -57,11 +56,7 @@ const char* FindObstacle(const FRDGPassDescription& Before, const FRDGPassDescri
 	};
 	const bool bDepthClears = B.DepthStencil >= 0 && (B.DepthLoad == ERenderTargetLoadAction::EClear ||
 														 B.StencilLoad == ERenderTargetLoadAction::EClear);
-	if (bDepthClears || std::any_of(B.Colors.begin(), B.Colors.end(), Clears))
-	{
-		return "the pass clears its targets";
-	}
-	return "";
+	return bDepthClears || std::ranges::any_of(B.Colors, Clears) ? "the pass clears its targets" : "";
 }
 
 } // namespace

@@ -95,7 +95,7 @@ private:
 		bool bLoads = false, int32 SkipBarrierView = -1)
 	{
 		const int32 Index = Resource->GetIndex();
-		if (bInUniformBuffer && std::any_of(Pass.Uses.begin(), Pass.Uses.end(),
+		if (bInUniformBuffer && std::ranges::any_of(Pass.Uses,
 									[Index](const FRDGUse& Use) { return Use.Resource == Index && Use.IsWrite(); }))
 		{
 			return;
@@ -107,13 +107,12 @@ private:
 		Use.Parameter = Name;
 		Use.bLoads = bLoads;
 		Use.SkipBarrierView = SkipBarrierView;
-		const bool bNew = std::find(Found.Viewables.begin(), Found.Viewables.end(), Resource) == Found.Viewables.end();
+		const bool bNew = std::ranges::find(Found.Viewables, Resource) == Found.Viewables.end();
 		const auto IsResource = [Resource](const FRDGUniformBufferResource& Known)
 		{
 			return Known.Resource == Resource;
 		};
-		if (bInUniformBuffer &&
-			(bNew || std::any_of(Found.InUniformBuffers.begin(), Found.InUniformBuffers.end(), IsResource)))
+		if (bInUniformBuffer && (bNew || std::ranges::any_of(Found.InUniformBuffers, IsResource)))
 		{
 			Found.InUniformBuffers.push_back({Resource, Variable + Walked->Name});
 		}

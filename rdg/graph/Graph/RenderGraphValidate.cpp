@@ -2,6 +2,7 @@
 #include "RenderGraphValidate.h"
 
 #include "RenderGraphFeedback.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -40,12 +41,8 @@ public:
 
 	FRDGValidationResult Run()
 	{
-		std::vector<bool> bProduced;
-		bProduced.reserve(Graph.Resources.size());
-		for (const FRDGResourceDescription& Resource : Graph.Resources)
-		{
-			bProduced.push_back(Resource.bExternal || Resource.bUploaded);
-		}
+		auto bProduced = ToVector<bool>(Graph.Resources,
+			[&](const FRDGResourceDescription& Resource) { return Resource.bExternal || Resource.bUploaded; });
 		for (const FRDGPassDescription& Pass : Graph.Passes)
 		{
 			if (Pass.bIsSentinel)
@@ -140,16 +137,11 @@ private:
 
 	void CheckOutputs(const FRDGPassDescription& Pass)
 	{
-		const bool bWrites =
-			std::any_of(Pass.Uses.begin(), Pass.Uses.end(), [](const FRDGUse& Use) { return Use.IsWrite(); });
+		const bool bWrites = std::ranges::any_of(Pass.Uses, [](const FRDGUse& Use) { return Use.IsWrite(); });
 		if (Pass.bHasParameters && !bWrites && !Pass.bHasExternalOutputs &&
 			!EnumHasAnyFlags(Pass.Flags, ERDGPassFlags::NeverCull))
 		{
-			std::string Unset;
-			for (const std::string& Output : Pass.UnsetOutputs)
-			{
-				Unset += (Unset.empty() ? "" : ", ") + Output;
-			}
+			std::string Unset = JoinText(Pass.UnsetOutputs);
 			Error(RDGErrorNoOutput, Pass,
 				"the pass has no outputs and lacks NeverCull: it would always be culled" +
 					(Unset.empty() ? "" : "; not set, or unused by its shader: " + Unset));

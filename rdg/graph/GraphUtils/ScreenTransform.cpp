@@ -8,15 +8,10 @@ namespace
 FScreenTransform StepToNextBasis(
 	const FIntPoint& Extent, const FIntRect& Viewport, FScreenTransform::ETextureBasis Basis)
 {
-	switch (Basis)
-	{
-	case FScreenTransform::ETextureBasis::ScreenPosition:
-		return FScreenTransform::ScreenPosToViewportUV;
-	case FScreenTransform::ETextureBasis::ViewportUV:
-		return FScreenTransform(FVector2f(Viewport.Size()), FVector2f(Viewport.Min));
-	default:
-		return FScreenTransform(FVector2f(1.0f / Extent.X, 1.0f / Extent.Y), FVector2f(0.0f, 0.0f));
-	}
+	return Basis == FScreenTransform::ETextureBasis::ScreenPosition ? FScreenTransform::ScreenPosToViewportUV
+		   : Basis == FScreenTransform::ETextureBasis::ViewportUV
+			   ? FScreenTransform(FVector2f(Viewport.Size()), FVector2f(Viewport.Min))
+			   : FScreenTransform(FVector2f(1.0f / Extent.X, 1.0f / Extent.Y), FVector2f(0.0f, 0.0f));
 }
 
 } // namespace

@@ -39,8 +39,7 @@ std::vector<FNativeKernel> SortByName(const std::map<const FShaderType*, FNative
 	{
 		Sorted.push_back(Kernel);
 	}
-	std::sort(Sorted.begin(), Sorted.end(),
-		[](const FNativeKernel& A, const FNativeKernel& B)
+	std::ranges::sort(Sorted, [](const FNativeKernel& A, const FNativeKernel& B)
 		{ return std::string(A.Type->GetName()) < B.Type->GetName(); });
 	return Sorted;
 }

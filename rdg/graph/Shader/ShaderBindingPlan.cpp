@@ -4,9 +4,9 @@
 
 #include "UniformBufferStructs.h"
 #include "VertexDraw.h"
+#include "RangeTools.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace Drydock
@@ -120,11 +120,7 @@ private:
 
 	std::string Suggest(const std::string& HlslName) const
 	{
-		std::vector<std::string> Names;
-		for (const FHlslMember& Member : Metadata.GetHlslMembers())
-		{
-			Names.push_back(Member.Name);
-		}
+		auto Names = ToVector<std::string>(Metadata.GetHlslMembers(), &FHlslMember::Name);
 		const std::string Nearest = FindNearestName(HlslName, Names);
 		return Nearest.empty() || Nearest == HlslName ? "" : "; did you mean '" + Nearest + "'?";
 	}

@@ -65,8 +65,8 @@ void AddUniformBuffers(const FShaderParametersMetadata* Metadata, FShaderCompile
 	const auto Add = [&Request](const FShaderParametersMetadata& Struct)
 	{
 		const std::string Name = Struct.GetShaderVariableName();
-		const bool bKnown = std::any_of(Request.UniformBuffers.begin(), Request.UniformBuffers.end(),
-			[&Name](const FShaderUniformBuffer& Buffer) { return Buffer.Name == Name; });
+		const bool bKnown = std::ranges::any_of(
+			Request.UniformBuffers, [&Name](const FShaderUniformBuffer& Buffer) { return Buffer.Name == Name; });
 		if (!bKnown)
 		{
 			Request.UniformBuffers.push_back(DescribeUniformBuffer(Struct));
@@ -334,9 +334,8 @@ void ForgetShadersOf(const std::vector<std::string>& Files)
 		[&Edited](FShaderState& State)
 		{
 			const bool bKept =
-				!State.Compiled.empty() &&
-				std::none_of(State.Compiled.begin(), State.Compiled.end(),
-					[&Edited](const auto& Entry) { return !Entry.second || Edited.IsReadBy(Entry.second->Files); });
+				!State.Compiled.empty() && std::ranges::none_of(State.Compiled, [&Edited](const auto& Entry)
+											   { return !Entry.second || Edited.IsReadBy(Entry.second->Files); });
 			if (!bKept)
 			{
 				State.Compiled.clear();

@@ -2,7 +2,6 @@
 #include "ShaderTypeNames.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace Drydock
@@ -13,52 +12,18 @@ namespace
 
 const char* GetDimensionName(EShaderDimension Dimension)
 {
-	switch (Dimension)
-	{
-	case EShaderDimension::Texture2DArray:
-		return "Texture2DArray";
-	case EShaderDimension::Texture3D:
-		return "Texture3D";
-	case EShaderDimension::TextureCube:
-		return "TextureCube";
-	case EShaderDimension::TypedBuffer:
-		return "Buffer";
-	case EShaderDimension::StructuredBuffer:
-		return "StructuredBuffer";
-	case EShaderDimension::ByteAddressBuffer:
-		return "ByteAddressBuffer";
-	default:
-		return "Texture2D";
-	}
+	constexpr const char* Names[] = {
+		"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer", "StructuredBuffer", "ByteAddressBuffer"};
+	return Names[size_t(Dimension)];
 }
 
 } // namespace
 
 const char* GetScalarName(EShaderScalar Scalar)
 {
-	switch (Scalar)
-	{
-	case EShaderScalar::Int:
-		return "int";
-	case EShaderScalar::Uint:
-		return "uint";
-	case EShaderScalar::Bool:
-		return "bool";
-	case EShaderScalar::Half:
-		return "float16_t";
-	case EShaderScalar::Short:
-		return "int16_t";
-	case EShaderScalar::Ushort:
-		return "uint16_t";
-	case EShaderScalar::Double:
-		return "double";
-	case EShaderScalar::Long:
-		return "int64_t";
-	case EShaderScalar::Ulong:
-		return "uint64_t";
-	default:
-		return "float";
-	}
+	constexpr const char* Names[] = {
+		"float", "int", "uint", "bool", "float16_t", "int16_t", "uint16_t", "double", "int64_t", "uint64_t"};
+	return Names[size_t(Scalar)];
 }
 
 int GetBits(EShaderScalar Scalar)
@@ -73,7 +38,7 @@ int GetElementBits(const std::string& MacroText)
 	const size_t Open = MacroText.find('<');
 	const size_t Close = MacroText.rfind('>');
 	std::string Name = Open < Close && Close != std::string::npos ? MacroText.substr(Open + 1, Close - Open - 1) : "";
-	Name.erase(std::remove(Name.begin(), Name.end(), ' '), Name.end());
+	std::erase(Name, ' ');
 	if (!Name.empty() && Name.back() >= '1' && Name.back() <= '4')
 	{
 		Name.pop_back(); // components
@@ -113,21 +78,13 @@ std::string GetTypeName(EResourceList List, const FShaderResource& Resource)
 
 bool Accepts(EResourceList List, EUniformBufferBaseType BaseType)
 {
-	switch (List)
-	{
-	case EResourceList::Textures:
-		return BaseType == UBMT_TEXTURE || BaseType == UBMT_SRV || BaseType == UBMT_RDG_TEXTURE ||
-			   BaseType == UBMT_RDG_TEXTURE_SRV;
-	case EResourceList::RWTextures:
-		return BaseType == UBMT_UAV || BaseType == UBMT_RDG_TEXTURE_UAV;
-	case EResourceList::Samplers:
-		return BaseType == UBMT_SAMPLER;
-	case EResourceList::Buffers:
-		return BaseType == UBMT_SRV || BaseType == UBMT_RDG_BUFFER_SRV;
-	case EResourceList::RWBuffers:
-		return BaseType == UBMT_UAV || BaseType == UBMT_RDG_BUFFER_UAV;
-	}
-	return false;
+	return List == EResourceList::Textures ? BaseType == UBMT_TEXTURE || BaseType == UBMT_SRV ||
+												 BaseType == UBMT_RDG_TEXTURE || BaseType == UBMT_RDG_TEXTURE_SRV
+		   : List == EResourceList::RWTextures ? BaseType == UBMT_UAV || BaseType == UBMT_RDG_TEXTURE_UAV
+		   : List == EResourceList::Samplers   ? BaseType == UBMT_SAMPLER
+		   : List == EResourceList::Buffers    ? BaseType == UBMT_SRV || BaseType == UBMT_RDG_BUFFER_SRV
+		   : List == EResourceList::RWBuffers  ? BaseType == UBMT_UAV || BaseType == UBMT_RDG_BUFFER_UAV
+											   : false;
 }
 
 bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
@@ -136,8 +93,7 @@ bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
 	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer",
 		"StructuredBuffer", "ByteAddressBuffer", "RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer",
 		"RWStructuredBuffer", "RWByteAddressBuffer"};
-	const bool bKnown =
-		std::any_of(std::begin(Kinds), std::end(Kinds), [&Kind](const char* Known) { return Kind == Known; });
+	const bool bKnown = std::ranges::any_of(Kinds, [&Kind](const char* Known) { return Kind == Known; });
 	return !bKnown || Kind == HlslType;
 }
 

@@ -63,9 +63,7 @@ std::string Explain(const std::string& Message, const FShaderCompileRequest& Req
 			if (Name.starts_with(Buffer + "_"))
 			{
 				const std::string Member = Name.substr(Buffer.size() + 1);
-				const std::string Nearest = FindNearestName(Member, Members);
-				return "uniform buffer '" + Buffer + "' has no member '" + Member + "'" +
-					   (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?");
+				return "uniform buffer '" + Buffer + "' has no member '" + Member + "'" + SuggestName(Member, Members);
 			}
 		}
 	}

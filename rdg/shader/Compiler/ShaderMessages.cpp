@@ -97,7 +97,7 @@ std::string FindDeclaringFile(const std::string& Function)
 			const std::string Virtual =
 				Directory.Virtual + "/" + It->path().lexically_relative(Directory.Real).generic_string();
 			const std::vector<std::string> Functions = ListFunctions(FHlslText(NormalizeShaderText(Text), Virtual));
-			if (std::find(Functions.begin(), Functions.end(), Function) != Functions.end())
+			if (std::ranges::find(Functions, Function) != Functions.end())
 			{
 				Found.insert(Virtual);
 			}
@@ -165,8 +165,7 @@ private:
 		const std::string Thing = GetQuoted(Error.Message);
 		const bool bNamed = !Thing.empty() && (std::isalpha(static_cast<unsigned char>(Thing[0])) || Thing[0] == '_');
 		return Error.Code == 6010 && Error.Line > 0 && !bNamed && Error.Message.starts_with('\'') &&
-			   std::any_of(Earlier.begin(), Earlier.end(),
-				   [&Error](const FDiagnostic& Each)
+			   std::ranges::any_of(Earlier, [&Error](const FDiagnostic& Each)
 				   { return Each.Code == 6010 && Each.File == Error.File && Each.Line == Error.Line; });
 	}
 
@@ -175,8 +174,8 @@ private:
 	{
 		const bool bUnknown =
 			Error.Code == 6010 && Error.Line > 0 && Error.Message.find("unknown variable") != std::string::npos;
-		const auto Same = std::find_if(Earlier.begin(), Earlier.end(),
-			[&](const FDiagnostic& Each) { return bUnknown && Each.Message == Error.Message; });
+		const auto Same = std::ranges::find_if(
+			Earlier, [&](const FDiagnostic& Each) { return bUnknown && Each.Message == Error.Message; });
 		if (Same == Earlier.end())
 		{
 			return false;
@@ -223,8 +222,7 @@ private:
 		}
 		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath))
 		{
-			const std::string Nearest = FindNearestName(Request.EntryPoint, ListFunctions(Flatten()));
-			Error.Message += Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?";
+			Error.Message += SuggestName(Request.EntryPoint, ListFunctions(Flatten()));
 		}
 	}
 
@@ -254,7 +252,7 @@ private:
 	{
 		std::vector<std::string> Functions = ListFunctions(Flatten());
 		Functions.insert(Functions.end(), Intrinsics.begin(), Intrinsics.end());
-		if (std::find(Functions.begin(), Functions.end(), Name) != Functions.end())
+		if (std::ranges::find(Functions, Name) != Functions.end())
 		{
 			return; // it is there, with other arguments
 		}

@@ -11,12 +11,13 @@ namespace
 
 using FJson = nlohmann::json;
 
-// One list of fields serves both directions: an archive either writes J[Name] = Field or reads it back.
+// One list of fields serves both directions: an archive either writes J[Name] = Field or reads it back;
+// names and fields take turns.
 struct FWriter
 {
 	FJson& J;
-	template<typename T>
-	void operator()(const char* Name, T& Field)
+	template<typename T, typename... TRest>
+	void operator()(const char* Name, T& Field, TRest&... Rest)
 	{
 		if constexpr (std::is_enum_v<T>)
 		{
@@ -26,13 +27,17 @@ struct FWriter
 		{
 			J[Name] = Field;
 		}
+		if constexpr (sizeof...(Rest) > 0)
+		{
+			(*this)(Rest...);
+		}
 	}
 };
 struct FReader
 {
 	const FJson& J;
-	template<typename T>
-	void operator()(const char* Name, T& Field)
+	template<typename T, typename... TRest>
+	void operator()(const char* Name, T& Field, TRest&... Rest)
 	{
 		if constexpr (std::is_enum_v<T>)
 		{
@@ -42,60 +47,39 @@ struct FReader
 		{
 			Field = J.at(Name).get<T>();
 		}
+		if constexpr (sizeof...(Rest) > 0)
+		{
+			(*this)(Rest...);
+		}
 	}
 };
 
 template<typename TArchive>
 void Fields(TArchive A, FShaderConstant& C)
 {
-	A("name", C.Name);
-	A("scalar", C.Scalar);
-	A("rows", C.Rows);
-	A("columns", C.Columns);
-	A("elements", C.NumElements);
-	A("buffer", C.Buffer);
-	A("offset", C.Offset);
-	A("arrayStride", C.ArrayStride);
-	A("matrixStride", C.MatrixStride);
-	A("rowMajor", C.bRowMajor);
-	A("used", C.bUsed);
-	A("where", C.Where);
+	A("name", C.Name, "scalar", C.Scalar, "rows", C.Rows, "columns", C.Columns, "elements", C.NumElements, "buffer",
+		C.Buffer, "offset", C.Offset, "arrayStride", C.ArrayStride, "matrixStride", C.MatrixStride, "rowMajor",
+		C.bRowMajor, "used", C.bUsed, "where", C.Where);
 }
 template<typename TArchive>
 void Fields(TArchive A, FShaderConstantBuffer& B)
 {
-	A("name", B.Name);
-	A("size", B.Size);
+	A("name", B.Name, "size", B.Size);
 }
 template<typename TArchive>
 void Fields(TArchive A, FShaderResource& R)
 {
-	A("name", R.Name);
-	A("dimension", R.Dimension);
-	A("scalar", R.Scalar);
-	A("components", R.NumComponents);
-	A("stride", R.Stride);
-	A("counterOf", R.CounterOf);
-	A("counter", R.Counter);
-	A("compares", R.bCompares);
-	A("implicitLevel", R.bImplicitLevel);
-	A("where", R.Where);
+	A("name", R.Name, "dimension", R.Dimension, "scalar", R.Scalar, "components", R.NumComponents, "stride", R.Stride,
+		"counterOf", R.CounterOf, "counter", R.Counter, "compares", R.bCompares, "implicitLevel", R.bImplicitLevel,
+		"where", R.Where);
 }
 template<typename TArchive>
 void Fields(TArchive A, FShaderReflection& R)
 {
-	A("stage", R.Stage);
-	A("groupX", R.GroupSize[0]);
-	A("groupY", R.GroupSize[1]);
-	A("groupZ", R.GroupSize[2]);
-	A("targets", R.NumTargets);
-	A("interpolants", R.NumInterpolants);
-	A("discard", R.bUsesDiscard);
-	A("groups", R.bGroups);
-	A("groupsInOrder", R.bGroupsInOrder);
-	A("partedBarrier", R.PartedBarrier);
-	A("quads", R.bQuads);
-	A("samples", R.StaticSamples);
+	A("stage", R.Stage, "groupX", R.GroupSize[0], "groupY", R.GroupSize[1], "groupZ", R.GroupSize[2], "targets",
+		R.NumTargets, "interpolants", R.NumInterpolants, "discard", R.bUsesDiscard, "groups", R.bGroups,
+		"groupsInOrder", R.bGroupsInOrder, "partedBarrier", R.PartedBarrier, "quads", R.bQuads, "samples",
+		R.StaticSamples);
 }
 
 template<typename T>

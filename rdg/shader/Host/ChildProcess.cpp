@@ -159,16 +159,10 @@ private:
 
 std::string FChildResult::Describe(int TimeLimitSeconds) const
 {
-	if (!bStarted)
-	{
-		return "could not be started";
-	}
-	if (bTimedOut)
-	{
-		return "took longer than " + std::to_string(TimeLimitSeconds) + " s";
-	}
-	return Signal ? "was ended by signal " + std::to_string(Signal)
-				  : "ended with exit code " + std::to_string(ExitCode);
+	return !bStarted   ? "could not be started"
+		   : bTimedOut ? "took longer than " + std::to_string(TimeLimitSeconds) + " s"
+		   : Signal    ? "was ended by signal " + std::to_string(Signal)
+					   : "ended with exit code " + std::to_string(ExitCode);
 }
 
 FChildResult RunChild(

@@ -118,11 +118,7 @@ int FTrustedFolder::Make(const std::string& Path)
 	{
 		fs::create_directories(Wanted.parent_path(), Error);
 	}
-	if (Error)
-	{
-		return Error.value();
-	}
-	return mkdir(Path.c_str(), 0700) == 0 || errno == EEXIST ? 0 : errno;
+	return Error ? Error.value() : mkdir(Path.c_str(), 0700) == 0 || errno == EEXIST ? 0 : errno;
 }
 
 int FTrustedFolder::FindWriteError() const

@@ -329,9 +329,8 @@ private:
 
 	static size_t FindParameter(const FShaderMacro& Macro, const FShaderToken& Token)
 	{
-		const auto Found = Token.Kind == EShaderToken::Word
-							   ? std::find(Macro.Parameters.begin(), Macro.Parameters.end(), Token.Text)
-							   : Macro.Parameters.end();
+		const auto Found =
+			Token.Kind == EShaderToken::Word ? std::ranges::find(Macro.Parameters, Token.Text) : Macro.Parameters.end();
 		return size_t(Found - Macro.Parameters.begin());
 	}
 
@@ -367,9 +366,7 @@ private:
 				Result.push_back(std::move(Tokens[i]));
 			}
 		}
-		Result.erase(
-			std::remove_if(Result.begin(), Result.end(), [](const FShaderToken& Token) { return Token.Text.empty(); }),
-			Result.end());
+		std::erase_if(Result, [](const FShaderToken& Token) { return Token.Text.empty(); });
 		Tokens = std::move(Result);
 	}
 

@@ -189,8 +189,7 @@ void FShaderPreprocessor::Emit(const std::string& Line, int LineNumber)
 void FShaderPreprocessor::AppendText(const std::string& Line, FLines& Lines)
 {
 	FShaderTokens Tokens = SplitTokens(Line);
-	const bool bMacros = std::any_of(Tokens.begin(), Tokens.end(),
-		[this](const FShaderToken& Token)
+	const bool bMacros = std::ranges::any_of(Tokens, [this](const FShaderToken& Token)
 		{ return Token.Kind == EShaderToken::Word && (Macros.Find(Token.Text) || Token.Text == "__LINE__"); });
 	if (!bMacros)
 	{

@@ -152,11 +152,7 @@ private:
 		}
 		if (Word == "DrydockAssert")
 		{
-			std::string Condition;
-			for (const std::string& Argument : Arguments)
-			{
-				Condition += (Condition.empty() ? "" : ",") + Argument;
-			}
+			std::string Condition = JoinText(Arguments, ",");
 			Condition = Trim(Condition);
 			std::replace(Condition.begin(), Condition.end(), '\n', ' ');
 			return "DrydockAssertValue(" + AddString(Condition) + ", (" + Condition + "))";

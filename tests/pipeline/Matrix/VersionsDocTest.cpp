@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "Extensions/EngineHooks.h"
-#include "Matrix/VersionTable.h"
+#include "VersionTable.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -54,19 +54,10 @@ bool IsBool(const FString& Text)
 /** Describes the texts that this variable takes, or null if Text is one. */
 const TCHAR* FindExpectation(const IConsoleVariable& Variable, const TCHAR* Text)
 {
-	if (Variable.IsVariableBool())
-	{
-		return IsBool(Text) ? nullptr : "a bool: true, false, on, off, yes, no, 1 or 0";
-	}
-	if (Variable.IsVariableInt())
-	{
-		return IsNumber<int32>(Text) ? nullptr : "an int32: a whole number";
-	}
-	if (Variable.IsVariableFloat())
-	{
-		return IsNumber<float>(Text) ? nullptr : "a float: a number";
-	}
-	return nullptr;
+	return Variable.IsVariableBool()    ? (IsBool(Text) ? nullptr : "a bool: true, false, on, off, yes, no, 1 or 0")
+		   : Variable.IsVariableInt()   ? (IsNumber<int32>(Text) ? nullptr : "an int32: a whole number")
+		   : Variable.IsVariableFloat() ? (IsNumber<float>(Text) ? nullptr : "a float: a number")
+										: nullptr;
 }
 
 } // namespace

@@ -39,23 +39,9 @@ FLogState& GetLogState()
 
 const char* GetPrefix(ELogVerbosity::Type Level)
 {
-	switch (Level)
-	{
-	case ELogVerbosity::Fatal:
-		return "Fatal: ";
-	case ELogVerbosity::Error:
-		return "Error: ";
-	case ELogVerbosity::Warning:
-		return "Warning: ";
-	case ELogVerbosity::Display:
-		return "Display: ";
-	case ELogVerbosity::Verbose:
-		return "Verbose: ";
-	case ELogVerbosity::VeryVerbose:
-		return "VeryVerbose: ";
-	default:
-		return "";
-	}
+	constexpr const char* Prefixes[] = {
+		"", "Fatal: ", "Error: ", "Warning: ", "Display: ", "", "Verbose: ", "VeryVerbose: "};
+	return Level <= ELogVerbosity::VeryVerbose ? Prefixes[Level] : "";
 }
 
 } // namespace

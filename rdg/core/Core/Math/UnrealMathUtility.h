@@ -225,11 +225,13 @@ struct FMath
 	{
 		return Value * Value * Value;
 	}
-	template<typename T>
-	static auto Sqrt(T Value)
-	{
-		return std::sqrt(static_cast<Drydock::Private::TReal<T>>(Value));
+#define DRYDOCK_REAL_FUNCTION(Name, Function) \
+	template<typename T> \
+	static auto Name(T Value) \
+	{ \
+		return std::Function(static_cast<Drydock::Private::TReal<T>>(Value)); \
 	}
+	DRYDOCK_REAL_FUNCTION(Sqrt, sqrt)
 	template<typename T>
 	static auto InvSqrt(T Value)
 	{
@@ -241,72 +243,29 @@ struct FMath
 		using T = Drydock::Private::TReal<std::common_type_t<A, B>>;
 		return std::pow(static_cast<T>(Base), static_cast<T>(Exponent));
 	}
-	template<typename T>
-	static auto Exp(T Value)
-	{
-		return std::exp(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Exp2(T Value)
-	{
-		return std::exp2(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Loge(T Value)
-	{
-		return std::log(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Log2(T Value)
-	{
-		return std::log2(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
+	DRYDOCK_REAL_FUNCTION(Exp, exp)
+	DRYDOCK_REAL_FUNCTION(Exp2, exp2)
+	DRYDOCK_REAL_FUNCTION(Loge, log)
+	DRYDOCK_REAL_FUNCTION(Log2, log2)
 	template<typename A, typename B>
 	static auto LogX(A Base, B Value)
 	{
 		return Loge(Value) / Loge(Base);
 	}
-	template<typename T>
-	static auto Sin(T Value)
-	{
-		return std::sin(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Cos(T Value)
-	{
-		return std::cos(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Tan(T Value)
-	{
-		return std::tan(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Asin(T Value)
-	{
-		return std::asin(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Acos(T Value)
-	{
-		return std::acos(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
-	template<typename T>
-	static auto Atan(T Value)
-	{
-		return std::atan(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
+	DRYDOCK_REAL_FUNCTION(Sin, sin)
+	DRYDOCK_REAL_FUNCTION(Cos, cos)
+	DRYDOCK_REAL_FUNCTION(Tan, tan)
+	DRYDOCK_REAL_FUNCTION(Asin, asin)
+	DRYDOCK_REAL_FUNCTION(Acos, acos)
+	DRYDOCK_REAL_FUNCTION(Atan, atan)
 	template<typename A, typename B>
 	static auto Atan2(A Y, B X)
 	{
 		using T = Drydock::Private::TReal<std::common_type_t<A, B>>;
 		return std::atan2(static_cast<T>(Y), static_cast<T>(X));
 	}
-	template<typename T>
-	static auto Tanh(T Value)
-	{
-		return std::tanh(static_cast<Drydock::Private::TReal<T>>(Value));
-	}
+	DRYDOCK_REAL_FUNCTION(Tanh, tanh)
+#undef DRYDOCK_REAL_FUNCTION
 	template<std::floating_point T>
 	static void SinCos(T* OutSin, T* OutCos, std::type_identity_t<T> Value)
 	{

@@ -135,10 +135,9 @@ bool CheckStruct(
 		const FFoundProperty Found = FReflection::Get().FindProperty(*Struct, Name, true);
 		if (Found.Property == nullptr)
 		{
-			const std::string Nearest = FindNearestName(Name, FReflection::Get().GetPropertyNames(*Struct));
 			OutProblem = {FPropertyProblem::EKind::UnknownProperty, Path + "/" + Name,
 				std::string(Struct->Name) + " has no UPROPERTY " + Name +
-					(Nearest.empty() ? "" : "; did you mean " + Nearest + "?")};
+					SuggestName(Name, FReflection::Get().GetPropertyNames(*Struct))};
 			return false;
 		}
 		if (!Check(*Found.Property->Type, Member, Path + "/" + Name, OutProblem))
@@ -172,9 +171,8 @@ bool Check(
 		bTaken = FindEnumNumber(Type, Value, Number);
 		if (!bTaken && Value.Kind == EKind::Text)
 		{
-			const std::string Nearest = FindNearestName(Value.Text, GetEnumNames(Type));
 			Refuse(OutProblem, Path, Type, Value);
-			OutProblem.Message += Nearest.empty() ? "" : "; did you mean " + Nearest + "?";
+			OutProblem.Message += SuggestName(Value.Text, GetEnumNames(Type));
 			return false;
 		}
 		break;

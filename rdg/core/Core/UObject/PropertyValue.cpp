@@ -19,23 +19,8 @@ FPropertyValue FPropertyValue::MakeNumber(double Value)
 
 const char* FPropertyValue::Describe() const
 {
-	switch (Kind)
-	{
-	case EKind::None:
-		return "nothing";
-	case EKind::Bool:
-		return bBool ? "true" : "false";
-	case EKind::Whole:
-	case EKind::Real:
-		return "a number";
-	case EKind::Text:
-		return "a text";
-	case EKind::List:
-		return "a list";
-	case EKind::Fields:
-		return "named values";
-	}
-	return "?";
+	constexpr const char* Names[] = {"nothing", "true", "a number", "a number", "a text", "a list", "named values"};
+	return Kind == EKind::Bool && !bBool ? "false" : Names[size_t(Kind)];
 }
 
 } // namespace Drydock

@@ -48,11 +48,10 @@ FReflectionState& GetReflectionState()
 template<typename TEntries, typename TGetType>
 auto FindByType(const TEntries& Entries, const std::type_info& Type, const TGetType& GetType)
 {
-	const auto Own =
-		std::find_if(Entries.begin(), Entries.end(), [&](const auto& Entry) { return GetType(Entry) == &Type; });
-	return Own != Entries.end() ? Own
-								: std::find_if(Entries.begin(), Entries.end(),
-									  [&](const auto& Entry) { return *GetType(Entry) == Type; });
+	const auto Own = std::ranges::find_if(Entries, [&](const auto& Entry) { return GetType(Entry) == &Type; });
+	return Own != Entries.end()
+			   ? Own
+			   : std::ranges::find_if(Entries, [&](const auto& Entry) { return *GetType(Entry) == Type; });
 }
 
 std::string FindPluginOf(const FReflectedStruct& Struct)
@@ -215,10 +214,8 @@ bool FReflection::Give(
 	const FFoundProperty Found = FindProperty(Class, Name, false);
 	if (Found.Property == nullptr)
 	{
-		const std::string Nearest = FindNearestName(Name, GetPropertyNames(Class));
 		OutProblem = {FPropertyProblem::EKind::UnknownProperty, "",
-			std::string(Class.Name) + " has no UPROPERTY " + Name +
-				(Nearest.empty() ? "" : "; did you mean " + Nearest + "?")};
+			std::string(Class.Name) + " has no UPROPERTY " + Name + SuggestName(Name, GetPropertyNames(Class))};
 		return false;
 	}
 	if (Class.GetDefault == nullptr)
@@ -253,7 +250,7 @@ void FReflection::FinishDefaults(const std::string& Plugin)
 	std::vector<const FReflectedStruct*> Classes;
 	for (const FGiven& Given : GetReflectionState().Given)
 	{
-		if (Given.Plugin == Plugin && std::find(Classes.begin(), Classes.end(), Given.Class) == Classes.end())
+		if (Given.Plugin == Plugin && std::ranges::find(Classes, Given.Class) == Classes.end())
 		{
 			Classes.push_back(Given.Class);
 		}

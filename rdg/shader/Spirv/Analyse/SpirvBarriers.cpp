@@ -69,11 +69,10 @@ private:
 	{
 		Inside.insert({Node.Merge, Node.Continue, Node.Label});
 		const FSpirvInstruction* const Inner = FindWayOutInside(Node, Inside);
-		const bool bLeaves = std::any_of(Node.Regions.begin(), Node.Regions.end(),
+		const bool bLeaves = std::ranges::any_of(Node.Regions,
 			[&Inside](const FStructRegion& Region)
 			{
-				return Region.bEnds || std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
-										   [&Inside](const FStructJump& Jump)
+				return Region.bEnds || std::ranges::any_of(Region.Jumps, [&Inside](const FStructJump& Jump)
 										   { return !Jump.bFallsThrough && !Inside.count(Jump.To); });
 			});
 		return Inner ? Inner : bLeaves ? GetDivision(Node) : nullptr;

@@ -53,8 +53,7 @@ uint32_t GetMemoryId(const FSpirvModule& Module, uint32_t Id)
 	{
 		return Id;
 	}
-	return std::find_if(Module.Variables.begin(), Module.Variables.end(),
-		[&](const FSpirvVariable& Other)
+	return std::ranges::find_if(Module.Variables, [&](const FSpirvVariable& Other)
 		{ return Other.Name == Variable->Name && Module.GetType(Other.Type).bBufferBlock; })
 		->Id;
 }
@@ -180,9 +179,9 @@ FSpirvGroupUse FindGroupUse(const FSpirvModule& Module)
 			Use.Commuting[Variable] = *Shared.Kinds.begin();
 		}
 	}
-	Use.bWaves = Atomics.bOrderSeen || Use.bInOrder ||
-				 std::any_of(Atomics.Groupshared.begin(), Atomics.Groupshared.end(),
-					 [](const auto& Entry) { return Entry.second.Kinds.size() > 1; });
+	Use.bWaves =
+		Atomics.bOrderSeen || Use.bInOrder ||
+		std::ranges::any_of(Atomics.Groupshared, [](const auto& Entry) { return Entry.second.Kinds.size() > 1; });
 	ForEachInstruction(Module,
 		[&](const FSpirvInstruction& I)
 		{
@@ -206,8 +205,7 @@ const FSpirvInstruction* FindBarrier(const FSpirvModule& Module, const FStructRe
 		if (Node.Kind == EStructNode::Block)
 		{
 			const std::vector<FSpirvInstruction>& Instructions = Module.GetBlock(Node.Label).Instructions;
-			const auto Found = std::find_if(Instructions.begin(), Instructions.end(),
-				[](const FSpirvInstruction& I) { return I.Op == OpControlBarrier; });
+			const auto Found = std::ranges::find(Instructions, OpControlBarrier, &FSpirvInstruction::Op);
 			if (Found != Instructions.end())
 			{
 				return &*Found;

@@ -24,29 +24,10 @@ using namespace Spirv;
 
 EShaderScalar ToShaderScalar(ESpirvType Kind)
 {
-	switch (Kind)
-	{
-	case ESpirvType::Int:
-		return EShaderScalar::Int;
-	case ESpirvType::Uint:
-		return EShaderScalar::Uint;
-	case ESpirvType::Bool:
-		return EShaderScalar::Bool;
-	case ESpirvType::Half:
-		return EShaderScalar::Half;
-	case ESpirvType::Short:
-		return EShaderScalar::Short;
-	case ESpirvType::Ushort:
-		return EShaderScalar::Ushort;
-	case ESpirvType::Double:
-		return EShaderScalar::Double;
-	case ESpirvType::Long:
-		return EShaderScalar::Long;
-	case ESpirvType::Ulong:
-		return EShaderScalar::Ulong;
-	default:
-		return EShaderScalar::Float;
-	}
+	constexpr EShaderScalar Scalars[] = {EShaderScalar::Bool, EShaderScalar::Int, EShaderScalar::Uint,
+		EShaderScalar::Float, EShaderScalar::Half, EShaderScalar::Short, EShaderScalar::Ushort, EShaderScalar::Double,
+		EShaderScalar::Long, EShaderScalar::Ulong};
+	return IsSpirvScalar(Kind) ? Scalars[size_t(Kind) - size_t(ESpirvType::Bool)] : EShaderScalar::Float;
 }
 
 /** Components of a storage format; 4 where the texture does not say. */
@@ -157,8 +138,7 @@ void FReflector::FindUses()
 
 EShaderCounter FReflector::FindCounter(const std::string& Buffer) const
 {
-	const auto Named = std::find_if(Module.Variables.begin(), Module.Variables.end(),
-		[&Buffer](const FSpirvVariable& Variable) { return Variable.Name == Buffer; });
+	const auto Named = std::ranges::find(Module.Variables, Buffer, &FSpirvVariable::Name);
 	const std::string TypeName = Named == Module.Variables.end() ? std::string() : Module.GetType(Named->Type).Name;
 	const auto Is = [&](const std::string& Type)
 	{

@@ -17,8 +17,8 @@ using namespace Spirv;
 
 bool CallsDiscard(const FSpirvBlock& Block)
 {
-	return std::any_of(Block.Instructions.begin(), Block.Instructions.end(),
-		[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
+	return std::ranges::any_of(
+		Block.Instructions, [](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
 }
 
 size_t GetWeight(const FSpirvModule& Module, const FSpirvBlock& Block)
@@ -89,8 +89,7 @@ std::vector<FStructCase> ListCases(const FSpirvInstruction& Switch)
 	std::vector<FStructCase> Cases;
 	const auto CaseOf = [&Cases](uint32_t Label) -> FStructCase&
 	{
-		const auto Known =
-			std::find_if(Cases.begin(), Cases.end(), [Label](const FStructCase& Case) { return Case.Label == Label; });
+		const auto Known = std::ranges::find(Cases, Label, &FStructCase::Label);
 		return Known == Cases.end() ? Cases.emplace_back(FStructCase{Label, {}, false}) : *Known;
 	};
 	CaseOf(Switch.Operands[1]).bDefault = true;
@@ -175,7 +174,7 @@ private:
 
 	bool IsOpen(uint32_t Label) const
 	{
-		return std::any_of(Open.begin(), Open.end(), [Label](const FOpenLabel& Entry) { return Entry.Label == Label; });
+		return std::ranges::any_of(Open, [Label](const FOpenLabel& Entry) { return Entry.Label == Label; });
 	}
 	void Push(FOpenLabel Entry) { Open.push_back(Entry); }
 	void Pop(size_t Count) { Open.resize(Open.size() - Count); }

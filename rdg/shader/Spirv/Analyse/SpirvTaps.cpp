@@ -28,9 +28,8 @@ int32_t Add(int32_t A, int32_t B)
 bool LeavesEarly(const FStructRegion& Region, std::initializer_list<uint32_t> Inside = {})
 {
 	return Region.bEnds || Region.bDiscards ||
-		   std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
-			   [&Inside](const FStructJump& Jump)
-			   { return std::find(Inside.begin(), Inside.end(), Jump.To) == Inside.end(); });
+		   std::ranges::any_of(Region.Jumps,
+			   [&Inside](const FStructJump& Jump) { return std::ranges::find(Inside, Jump.To) == Inside.end(); });
 }
 
 /** Each region is counted once, whoever asks how often. */
@@ -74,8 +73,8 @@ private:
 	bool Discards(uint32_t Label) const
 	{
 		const std::vector<FSpirvInstruction>& Instructions = Module.GetBlock(Label).Instructions;
-		return std::any_of(Instructions.begin(), Instructions.end(),
-			[](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
+		return std::ranges::any_of(
+			Instructions, [](const FSpirvInstruction& I) { return I.Op == OpFunctionCall || I.Op == OpDemote; });
 	}
 
 	const FSpirvModule& Module;
@@ -121,8 +120,8 @@ int32_t FCounter::Count(const FStructNode& Node)
 	case EStructNode::Switch:
 	{
 		const int32_t First = Count(Node.Regions[0]);
-		return std::all_of(Node.Regions.begin(), Node.Regions.end(),
-				   [this, First](const FStructRegion& Region) { return Count(Region) == First; })
+		return std::ranges::all_of(
+				   Node.Regions, [this, First](const FStructRegion& Region) { return Count(Region) == First; })
 				   ? First
 				   : Unknown;
 	}

@@ -11,34 +11,18 @@ namespace
 
 std::string GetOperation(uint16_t Op, bool bWide)
 {
-	const char* const Signed = bWide ? "<int64_t>" : "<int32_t>";
-	const char* const Unsigned = bWide ? "<uint64_t>" : "<uint32_t>";
-	switch (Op)
-	{
-	case OpAtomicLoad:
-		return "FAtomicOr";
-	case OpAtomicStore:
-	case OpAtomicExchange:
-		return "FAtomicExchange";
-	case OpAtomicCompareExchange:
-		return "FAtomicCompareExchange";
-	case OpAtomicSMin:
-		return std::string("FAtomicMin") + Signed;
-	case OpAtomicUMin:
-		return std::string("FAtomicMin") + Unsigned;
-	case OpAtomicSMax:
-		return std::string("FAtomicMax") + Signed;
-	case OpAtomicUMax:
-		return std::string("FAtomicMax") + Unsigned;
-	case OpAtomicAnd:
-		return "FAtomicAnd";
-	case OpAtomicOr:
-		return "FAtomicOr";
-	case OpAtomicXor:
-		return "FAtomicXor";
-	default:
-		return "FAtomicAdd";
-	}
+	const std::string Signed = bWide ? "<int64_t>" : "<int32_t>";
+	const std::string Unsigned = bWide ? "<uint64_t>" : "<uint32_t>";
+	return Op == OpAtomicLoad || Op == OpAtomicOr          ? "FAtomicOr"
+		   : Op == OpAtomicStore || Op == OpAtomicExchange ? "FAtomicExchange"
+		   : Op == OpAtomicCompareExchange                 ? "FAtomicCompareExchange"
+		   : Op == OpAtomicSMin                            ? "FAtomicMin" + Signed
+		   : Op == OpAtomicUMin                            ? "FAtomicMin" + Unsigned
+		   : Op == OpAtomicSMax                            ? "FAtomicMax" + Signed
+		   : Op == OpAtomicUMax                            ? "FAtomicMax" + Unsigned
+		   : Op == OpAtomicAnd                             ? "FAtomicAnd"
+		   : Op == OpAtomicXor                             ? "FAtomicXor"
+														   : "FAtomicAdd";
 }
 
 } // namespace

@@ -31,11 +31,11 @@ bool FSpirvEmitter::IsDirectBreak(uint32_t To) const
 bool FSpirvEmitter::EscapesFrom(
 	const FStructRegion& Region, std::initializer_list<uint32_t> Inside, bool bInnerLoop) const
 {
-	return Region.bEnds || std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
+	return Region.bEnds || std::ranges::any_of(Region.Jumps,
 							   [this, &Inside, bInnerLoop](const FStructJump& Jump)
 							   {
-								   const bool bStays = Jump.bFallsThrough ||
-													   std::find(Inside.begin(), Inside.end(), Jump.To) != Inside.end();
+								   const bool bStays =
+									   Jump.bFallsThrough || std::ranges::find(Inside, Jump.To) != Inside.end();
 								   return !bStays && (bInnerLoop || Jump.bInnerLoop || !IsDirectBreak(Jump.To));
 							   });
 }
@@ -43,7 +43,7 @@ bool FSpirvEmitter::EscapesFrom(
 bool FSpirvEmitter::Escapes(const FStructNode& Node) const
 {
 	const bool bLoop = Node.Kind == EStructNode::Loop;
-	return std::any_of(Node.Regions.begin(), Node.Regions.end(),
+	return std::ranges::any_of(Node.Regions,
 		[this, &Node, bLoop](const FStructRegion& Region) {
 			return EscapesFrom(Region, {Node.Merge, Node.Continue}, bLoop);
 		});
@@ -88,11 +88,10 @@ void FSpirvEmitter::EmitRegion(const FStructRegion& Region, size_t First)
 bool FSpirvEmitter::Breaks(const FStructNode& Node) const
 {
 	return (Node.Kind == EStructNode::Edge && Node.bJump && IsDirectBreak(Node.To)) ||
-		   std::any_of(Node.Regions.begin(), Node.Regions.end(),
-			   [this](const FStructRegion& Region)
-			   {
-				   return std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
-					   [this](const FStructJump& Jump) { return IsDirectBreak(Jump.To); });
+		   std::ranges::any_of(Node.Regions,
+			   [this](const FStructRegion& Region) {
+				   return std::ranges::any_of(
+					   Region.Jumps, [this](const FStructJump& Jump) { return IsDirectBreak(Jump.To); });
 			   });
 }
 
@@ -236,8 +235,8 @@ void FSpirvEmitter::EmitPhiCopies(uint32_t From, uint32_t To, EPhiCopies Which)
 		Targets.insert(Copy.Target);
 	}
 	// All sources are read before any target is written; only sources that are targets themselves need a copy.
-	const bool bOverlap = std::any_of(
-		Copies.begin(), Copies.end(), [&Targets](const FPhiCopy& Copy) { return Targets.count(Copy.Read) != 0; });
+	const bool bOverlap =
+		std::ranges::any_of(Copies, [&Targets](const FPhiCopy& Copy) { return Targets.count(Copy.Read) != 0; });
 	if (bOverlap)
 	{
 		OpenScope("");

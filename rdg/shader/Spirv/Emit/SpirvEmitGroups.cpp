@@ -85,13 +85,12 @@ void FSpirvEmitter::EmitForAllPacks(const std::string& Statement)
 /** The text of the node has a barrier, or a `break` out of a loop that has one. */
 bool FSpirvEmitter::IsGroupNode(const FStructNode& Node) const
 {
-	return std::any_of(Node.Regions.begin(), Node.Regions.end(),
+	return std::ranges::any_of(Node.Regions,
 		[this, &Node](const FStructRegion& Region)
 		{
 			return FindBarrier(Module, Region) ||
-				   (Node.Kind != EStructNode::Loop &&
-					   std::any_of(Region.Jumps.begin(), Region.Jumps.end(),
-						   [this](const FStructJump& Jump) { return !Jump.bInnerLoop && IsDirectBreak(Jump.To); }));
+				   (Node.Kind != EStructNode::Loop && std::ranges::any_of(Region.Jumps, [this](const FStructJump& Jump)
+														  { return !Jump.bInnerLoop && IsDirectBreak(Jump.To); }));
 		});
 }
 

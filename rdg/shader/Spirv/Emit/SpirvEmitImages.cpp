@@ -3,8 +3,6 @@
 
 #include "SpirvImageOperands.h"
 
-#include <algorithm>
-
 namespace Drydock
 {
 

@@ -136,8 +136,7 @@ void FSpirvEmitter::DeclareLocal(const FSpirvVariable& Variable)
 		return;
 	}
 	const std::set<ESpirvType> Kinds = GetKinds(Variable.Type);
-	const auto Chain = std::find_if(Definitions.begin(), Definitions.end(),
-		[&Variable](const auto& Entry)
+	const auto Chain = std::ranges::find_if(Definitions, [&Variable](const auto& Entry)
 		{ return !Entry.second->Operands.empty() && Entry.second->Operands[0] == Variable.Id; });
 	CountArray(Size, Kinds.size(), Chain == Definitions.end() ? nullptr : Chain->second);
 	for (const ESpirvType Kind : Kinds)
@@ -175,8 +174,8 @@ void FSpirvEmitter::DeclareVariables()
 
 std::string FSpirvEmitter::IndexText(const FSpirvPlace& Place, const std::string& Offset, bool& bVarying)
 {
-	bVarying = std::any_of(Place.Indices.begin(), Place.Indices.end(),
-		[this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
+	bVarying = std::ranges::any_of(
+		Place.Indices, [this](const FSpirvIndex& Index) { return Scalar(Index.Value, 0).bVarying; });
 	std::string Text = bVarying ? "I(" + Offset + ")" : Offset;
 	for (const FSpirvIndex& Index : Place.Indices)
 	{

@@ -91,25 +91,16 @@ const char* GetText(const FEmitPattern& Pattern, uint16_t Op, ESpirvType Kind)
 	{
 		return Pattern.Text;
 	}
-	switch (Op)
-	{
-	case OpShiftRightLogical:
-	case OpShiftRightArithmetic:
-		return "ShiftRight($0, $1 & 15)";
-	case OpShiftLeftLogical:
-		return "ShiftLeft($0, $1 & 15)";
-	case OpBitReverse:
-		return "ShiftRight(BitReverse($0), 16u)";
-	default:
-		return Pattern.Text;
-	}
+	return Op == OpShiftRightLogical || Op == OpShiftRightArithmetic ? "ShiftRight($0, $1 & 15)"
+		   : Op == OpShiftLeftLogical                                ? "ShiftLeft($0, $1 & 15)"
+		   : Op == OpBitReverse                                      ? "ShiftRight(BitReverse($0), 16u)"
+																	 : Pattern.Text;
 }
 
 template<size_t Count>
 const FEmitPattern* FindPattern(const FEmitPattern (&Patterns)[Count], uint32_t Op)
 {
-	const auto Found =
-		std::find_if(std::begin(Patterns), std::end(Patterns), [Op](const FEmitPattern& P) { return P.Op == Op; });
+	const auto Found = std::ranges::find(Patterns, Op, &FEmitPattern::Op);
 	return Found == std::end(Patterns) ? nullptr : Found;
 }
 
@@ -292,15 +283,9 @@ void FSpirvEmitter::EmitBitcast(const FSpirvInstruction& I)
 	const uint32_t To = GetSpirvBytes(Module.GetScalarKind(I.Type, 0));
 	const auto Bits = [this](const FEmitScalar& S) -> std::string
 	{
-		switch (S.Kind)
-		{
-		case ESpirvType::Half:
-			return "HalfBits(" + Use(S) + ")";
-		case ESpirvType::Double:
-			return "DoubleBits(" + Use(S) + ")";
-		default:
-			return UseAs(S, GetSpirvUnsigned(S.Kind), false);
-		}
+		return S.Kind == ESpirvType::Half     ? "HalfBits(" + Use(S) + ")"
+			   : S.Kind == ESpirvType::Double ? "DoubleBits(" + Use(S) + ")"
+											  : UseAs(S, GetSpirvUnsigned(S.Kind), false);
 	};
 	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
 	{

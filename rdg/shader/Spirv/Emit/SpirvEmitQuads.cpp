@@ -12,24 +12,12 @@ namespace
 
 const char* GetDerivative(uint16_t Op)
 {
-	switch (Op)
-	{
-	case OpDPdx:
-	case OpDPdxCoarse:
-		return "Ddx";
-	case OpDPdy:
-	case OpDPdyCoarse:
-		return "Ddy";
-	case OpFwidth:
-	case OpFwidthCoarse:
-		return "Fwidth";
-	case OpDPdxFine:
-		return "DdxFine";
-	case OpDPdyFine:
-		return "DdyFine";
-	default:
-		return "FwidthFine";
-	}
+	return Op == OpDPdx || Op == OpDPdxCoarse       ? "Ddx"
+		   : Op == OpDPdy || Op == OpDPdyCoarse     ? "Ddy"
+		   : Op == OpFwidth || Op == OpFwidthCoarse ? "Fwidth"
+		   : Op == OpDPdxFine                       ? "DdxFine"
+		   : Op == OpDPdyFine                       ? "DdyFine"
+													: "FwidthFine";
 }
 
 } // namespace

@@ -44,8 +44,7 @@ constexpr FWaveArithmetic Arithmetic[] = {
 
 bool FSpirvEmitter::EmitWaveArithmetic(const FSpirvInstruction& I)
 {
-	const auto A = std::find_if(
-		std::begin(Arithmetic), std::end(Arithmetic), [&I](const FWaveArithmetic& Known) { return Known.Op == I.Op; });
+	const auto A = std::ranges::find(Arithmetic, I.Op, &FWaveArithmetic::Op);
 	if (A == std::end(Arithmetic))
 	{
 		return false;

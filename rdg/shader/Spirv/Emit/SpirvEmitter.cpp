@@ -102,26 +102,14 @@ void FSpirvEmitter::SourceLine(const FSpirvInstruction& I)
 
 std::string FSpirvEmitter::TypeName(ESpirvType Kind, bool bVarying) const
 {
-	switch (Kind)
-	{
-	case ESpirvType::Float:
-	case ESpirvType::Half:
-		return bVarying ? "R" : "Real";
-	case ESpirvType::Int:
-	case ESpirvType::Short:
-		return bVarying ? "I" : "int32_t";
-	case ESpirvType::Uint:
-	case ESpirvType::Ushort:
-		return bVarying ? "U" : "uint32_t";
-	case ESpirvType::Double:
-		return bVarying ? "TReal<double, N>" : "double";
-	case ESpirvType::Long:
-		return bVarying ? "TLong<N>" : "int64_t";
-	case ESpirvType::Ulong:
-		return bVarying ? "TUlong<N>" : "uint64_t";
-	default:
-		return bVarying ? "M" : "bool";
-	}
+	return Kind == ESpirvType::Float || Kind == ESpirvType::Half    ? (bVarying ? "R" : "Real")
+		   : Kind == ESpirvType::Int || Kind == ESpirvType::Short   ? (bVarying ? "I" : "int32_t")
+		   : Kind == ESpirvType::Uint || Kind == ESpirvType::Ushort ? (bVarying ? "U" : "uint32_t")
+		   : Kind == ESpirvType::Double                             ? (bVarying ? "TReal<double, N>" : "double")
+		   : Kind == ESpirvType::Long                               ? (bVarying ? "TLong<N>" : "int64_t")
+		   : Kind == ESpirvType::Ulong                              ? (bVarying ? "TUlong<N>" : "uint64_t")
+		   : bVarying                                               ? "M"
+																	: "bool";
 }
 
 namespace

@@ -331,7 +331,6 @@ private:
 	uint32_t CurrentBlock = 0;
 	uint32_t LastFile = ~0u;
 	int LastLine = -1;
-	int NumTemporaries = 0;
 	uint32_t NumTaps = 0; // of all sites and turns
 	uint32_t NumTapSites = 0;
 };

@@ -20,8 +20,7 @@ std::string FindCounted(const FSpirvModule& Module, const FSpirvVariable& Variab
 {
 	const std::string Suffix = "@count";
 	const std::string Prefix = "counter.var.";
-	const auto Owner = std::find_if(Module.Variables.begin(), Module.Variables.end(),
-		[&Variable](const FSpirvVariable& Other) { return Other.Counter == Variable.Id; });
+	const auto Owner = std::ranges::find(Module.Variables, Variable.Id, &FSpirvVariable::Counter);
 	const std::string& Name = Variable.Name;
 	return Owner != Module.Variables.end() ? Owner->Name
 		   : Name.ends_with(Suffix)        ? Name.substr(0, Name.size() - Suffix.size())
@@ -34,13 +33,12 @@ bool IsCounterBlock(const FSpirvModule& Module, uint32_t Id)
 {
 	const FSpirvType& Type = Module.GetType(Id);
 	const ESpirvType Kind = Type.Members.size() == 1 ? Module.GetType(Type.Members[0].Type).Kind : ESpirvType::None;
-	const bool bPart = std::any_of(Module.Types.begin(), Module.Types.end(),
+	const bool bPart = std::ranges::any_of(Module.Types,
 		[Id](const auto& Other)
 		{
 			const std::vector<FSpirvMember>& Members = Other.second.Members;
 			return (Other.second.Element == Id && Other.second.Kind != ESpirvType::Pointer) ||
-				   std::any_of(
-					   Members.begin(), Members.end(), [Id](const FSpirvMember& Member) { return Member.Type == Id; });
+				   std::ranges::any_of(Members, [Id](const FSpirvMember& Member) { return Member.Type == Id; });
 		});
 	return Type.bBufferBlock && (Kind == ESpirvType::Uint || Kind == ESpirvType::Int) && !bPart;
 }

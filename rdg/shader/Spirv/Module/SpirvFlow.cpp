@@ -1,6 +1,8 @@
 // Tells operations whose result comes from their operands alone, and those that work scalar by scalar.
 #include "SpirvFlow.h"
 
+#include <set>
+
 namespace Drydock
 {
 
@@ -8,64 +10,21 @@ using namespace Spirv;
 
 bool HasFlow(const FSpirvInstruction& I)
 {
-	switch (I.Op)
-	{
-	case OpPhi:
-	case OpLoad:
-	case OpStore:
-	case OpSampledImage:
-	case OpImage:
-	case OpImageSampleImplicitLod:
-	case OpImageSampleExplicitLod:
-	case OpImageSampleDrefImplicitLod:
-	case OpImageSampleDrefExplicitLod:
-	case OpImageDrefGather:
-	case OpImageGather:
-	case OpImageFetch:
-	case OpImageRead:
-	case OpImageWrite:
-	case OpImageQueryLod:
-	case OpImageQueryLevels:
-	case OpImageTexelPointer:
-	case OpArrayLength:
-	case OpFunctionCall:
-	case OpBranch:
-	case OpBranchConditional:
-	case OpSwitch:
-	case OpKill:
-	case OpReturn:
-	case OpUnreachable:
-		return false;
-	default:
-		return I.Result && !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op) && !IsSpirvDerivative(I.Op);
-	}
+	static const std::set<uint16_t> Without = {OpPhi, OpLoad, OpStore, OpSampledImage, OpImage,
+		OpImageSampleImplicitLod, OpImageSampleExplicitLod, OpImageSampleDrefImplicitLod, OpImageSampleDrefExplicitLod,
+		OpImageDrefGather, OpImageGather, OpImageFetch, OpImageRead, OpImageWrite, OpImageQueryLod, OpImageQueryLevels,
+		OpImageTexelPointer, OpArrayLength, OpFunctionCall, OpBranch, OpBranchConditional, OpSwitch, OpKill, OpReturn,
+		OpUnreachable};
+	return I.Result && !Without.count(I.Op) && !IsSpirvAtomic(I.Op) && !IsSpirvWave(I.Op) && !IsSpirvDerivative(I.Op);
 }
 
 bool IsComponentwise(const FSpirvModule& Module, const FSpirvInstruction& I)
 {
+	static const std::set<uint32_t> Whole = {ExtDeterminant, ExtModf, ExtPackHalf2x16, ExtUnpackHalf2x16, ExtLength,
+		ExtDistance, ExtCross, ExtNormalize, ExtFaceForward, ExtReflect, ExtRefract};
 	const bool bExtended = I.Op == OpExtInst;
-	if (bExtended)
-	{
-		switch (I.Operands[1])
-		{
-		case ExtDeterminant:
-		case ExtModf:
-		case ExtPackHalf2x16:
-		case ExtUnpackHalf2x16:
-		case ExtLength:
-		case ExtDistance:
-		case ExtCross:
-		case ExtNormalize:
-		case ExtFaceForward:
-		case ExtReflect:
-		case ExtRefract:
-			return false;
-		default:
-			break;
-		}
-	}
 	// Matrices of one size have products of that size.
-	if (I.Op >= OpVectorTimesScalar && I.Op <= OpDot)
+	if ((bExtended && Whole.count(I.Operands[1])) || (I.Op >= OpVectorTimesScalar && I.Op <= OpDot))
 	{
 		return false;
 	}

@@ -134,11 +134,7 @@ uint32_t FSpirvModule::GetMemberScalar(uint32_t Type, uint32_t Index) const
 {
 	const FSpirvType& T = GetType(Type);
 	const uint32_t MemberType = GetMemberType(Type, Index); // checks Index
-	if (T.Kind != ESpirvType::Struct)
-	{
-		return Index * GetType(MemberType).NumScalars;
-	}
-	return T.MemberScalars[Index];
+	return T.Kind != ESpirvType::Struct ? Index * GetType(MemberType).NumScalars : T.MemberScalars[Index];
 }
 
 ESpirvType FSpirvModule::GetScalarKind(uint32_t Type, uint32_t Scalar) const

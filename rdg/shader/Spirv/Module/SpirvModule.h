@@ -95,12 +95,7 @@ constexpr uint32_t GetSpirvBytes(ESpirvType Kind)
 																	: 4;
 }
 
-/** Another kind of a scalar's width: the real one, the signed or the unsigned integer. */
-constexpr ESpirvType GetSpirvReal(ESpirvType Kind)
-{
-	const uint32_t Bytes = GetSpirvBytes(Kind);
-	return Bytes == 8 ? ESpirvType::Double : Bytes == 2 ? ESpirvType::Half : ESpirvType::Float;
-}
+/** Another kind of a scalar's width: the signed or the unsigned integer. */
 constexpr ESpirvType GetSpirvSigned(ESpirvType Kind)
 {
 	const uint32_t Bytes = GetSpirvBytes(Kind);

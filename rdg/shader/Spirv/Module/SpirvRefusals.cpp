@@ -70,8 +70,7 @@ std::string GetImageName(const FSpirvModule& Module, const FSpirvType& Type)
 
 std::string ExplainRefusedOp(uint16_t Op, const uint32_t* Operands, size_t NumOperands)
 {
-	const auto Row =
-		std::find_if(std::begin(Rows), std::end(Rows), [Op](const FRow& Candidate) { return Candidate.Op == Op; });
+	const auto Row = std::ranges::find(Rows, Op, &FRow::Op);
 	if (Row == std::end(Rows))
 	{
 		return {};
@@ -90,29 +89,9 @@ std::string ExplainRefusedBuiltIn(uint32_t BuiltIn)
 
 const char* GetHlslScalarName(ESpirvType Kind)
 {
-	switch (Kind)
-	{
-	case ESpirvType::Bool:
-		return "bool";
-	case ESpirvType::Int:
-		return "int";
-	case ESpirvType::Uint:
-		return "uint";
-	case ESpirvType::Half:
-		return "float16_t";
-	case ESpirvType::Short:
-		return "int16_t";
-	case ESpirvType::Ushort:
-		return "uint16_t";
-	case ESpirvType::Double:
-		return "double";
-	case ESpirvType::Long:
-		return "int64_t";
-	case ESpirvType::Ulong:
-		return "uint64_t";
-	default:
-		return "float";
-	}
+	constexpr const char* Names[] = {
+		"bool", "int", "uint", "float", "float16_t", "int16_t", "uint16_t", "double", "int64_t", "uint64_t"};
+	return IsSpirvScalar(Kind) ? Names[size_t(Kind) - size_t(ESpirvType::Bool)] : "float";
 }
 
 std::string GetHlslTypeName(const FSpirvModule& Module, const FSpirvType& Type)

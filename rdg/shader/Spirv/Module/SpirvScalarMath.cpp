@@ -5,6 +5,7 @@
 #include "Lanes.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace Drydock
 {
@@ -42,15 +43,84 @@ uint32_t FloatToInt(Real X)
 									 : uint32_t(int32_t(X));
 }
 
-// D3D has no signed division: by zero, all bits are set as in its udiv, and the most negative number wraps.
-uint32_t DivideInt(int32_t A, int32_t B)
+/** TBits: uint32_t or uint64_t. D3D has no signed division: by zero, all bits are set as in its udiv, and the most
+ * negative number wraps. */
+template<typename TBits>
+bool EvaluateInteger(uint16_t Op, TBits A, TBits B, uint64_t& Result)
 {
-	return B == 0 ? ~0u : uint32_t(int64_t(A) / B);
+	using FSigned = std::make_signed_t<TBits>;
+	constexpr int NumBits = 8 * sizeof(TBits);
+	const FSigned I = FSigned(A);
+	const FSigned J = FSigned(B);
+	const bool bWraps = J == -1; // the one division that leaves the range, and its neighbours that do not
+	// clang-format off
+	switch (Op)
+	{
+	case OpSNegate: Result = TBits(0) - A; return true;
+	case OpIAdd: Result = A + B; return true;
+	case OpISub: Result = A - B; return true;
+	case OpIMul: Result = A * B; return true;
+	case OpUDiv: Result = B ? A / B : ~TBits(0); return true;
+	case OpUMod: Result = B ? A % B : ~TBits(0); return true;
+	case OpSDiv: Result = J == 0 ? ~TBits(0) : bWraps ? TBits(0) - A : TBits(I / J); return true;
+	case OpSRem: case OpSMod: Result = J == 0 ? ~TBits(0) : bWraps ? TBits(0) : TBits(I % J); return true;
+	case OpIEqual: Result = A == B; return true;
+	case OpINotEqual: Result = A != B; return true;
+	case OpUGreaterThan: Result = A > B; return true;
+	case OpUGreaterThanEqual: Result = A >= B; return true;
+	case OpULessThan: Result = A < B; return true;
+	case OpULessThanEqual: Result = A <= B; return true;
+	case OpSGreaterThan: Result = I > J; return true;
+	case OpSGreaterThanEqual: Result = I >= J; return true;
+	case OpSLessThan: Result = I < J; return true;
+	case OpSLessThanEqual: Result = I <= J; return true;
+	case OpShiftLeftLogical: Result = A << (B & (NumBits - 1)); return true;
+	case OpShiftRightLogical: Result = A >> (B & (NumBits - 1)); return true;
+	case OpShiftRightArithmetic: Result = TBits(I >> (B & (NumBits - 1))); return true;
+	case OpBitwiseOr: Result = A | B; return true;
+	case OpBitwiseXor: Result = A ^ B; return true;
+	case OpBitwiseAnd: Result = A & B; return true;
+	case OpNot: Result = ~A; return true;
+	case OpBitCount: Result = uint64_t(__builtin_popcountll(A)); return true;
+	case OpBitReverse:
+		Result = 0;
+		for (int Bit = 0; Bit < NumBits; ++Bit)
+		{
+			Result |= uint64_t((A >> Bit) & 1) << (NumBits - 1 - Bit);
+		}
+		return true;
+	default:
+		return false;
+	}
+	// clang-format on
 }
 
-uint32_t RemainderInt(int32_t A, int32_t B)
+template<typename TBits>
+bool EvaluateExtendedInteger(uint32_t Ext, TBits A, TBits B, TBits C, uint64_t& Result)
 {
-	return B == 0 ? ~0u : uint32_t(int64_t(A) % B);
+	using FSigned = std::make_signed_t<TBits>;
+	const FSigned I = FSigned(A);
+	const FSigned J = FSigned(B);
+	const TBits Magnitude = I < 0 && Ext == ExtFindSMsb ? ~A : A;
+	// clang-format off
+	switch (Ext)
+	{
+	case ExtSAbs: Result = I < 0 ? TBits(0) - A : A; return true;
+	case ExtSSign: Result = I > 0 ? TBits(1) : I < 0 ? ~TBits(0) : TBits(0); return true;
+	case ExtUMin: Result = A < B ? A : B; return true;
+	case ExtUMax: Result = A > B ? A : B; return true;
+	case ExtSMin: Result = I < J ? A : B; return true;
+	case ExtSMax: Result = I > J ? A : B; return true;
+	case ExtUClamp: Result = A > B ? A : B; Result = Result < C ? Result : C; return true;
+	case ExtSClamp: Result = I > J ? A : B; Result = FSigned(Result) < FSigned(C) ? Result : C; return true;
+	case ExtFindILsb: Result = A ? TBits(__builtin_ctzll(A)) : ~TBits(0); return true;
+	case ExtFindUMsb: case ExtFindSMsb:
+		Result = Magnitude ? TBits(63 - __builtin_clzll(Magnitude)) : ~TBits(0);
+		return true;
+	default:
+		return false;
+	}
+	// clang-format on
 }
 
 } // namespace
@@ -69,7 +139,6 @@ bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord
 		return ToSpirvWord<Real>(Value);
 	};
 	const int32_t I = int32_t(A);
-	const int32_t J = int32_t(B);
 	// clang-format off
 	switch (Op)
 	{
@@ -78,19 +147,11 @@ bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord
 	case OpConvertFToS: Result = FloatToInt(X); return true;
 	case OpConvertSToF: Result = ToBits(Real(I)); return true;
 	case OpConvertUToF: Result = ToBits(Real(A)); return true;
-	case OpSNegate: Result = 0u - A; return true;
 	case OpFNegate: Result = Operands[0] ^ SignBit; return true;
-	case OpIAdd: Result = A + B; return true;
-	case OpISub: Result = A - B; return true;
-	case OpIMul: Result = A * B; return true;
 	case OpFAdd: Result = ToBits(X + Y); return true;
 	case OpFSub: Result = ToBits(X - Y); return true;
 	case OpFMul: Result = ToBits(X * Y); return true;
 	case OpFDiv: Result = ToBits(X / Y); return true;
-	case OpUDiv: Result = B ? A / B : 0xFFFFFFFFu; return true;
-	case OpUMod: Result = B ? A % B : 0xFFFFFFFFu; return true;
-	case OpSDiv: Result = DivideInt(I, J); return true;
-	case OpSRem: case OpSMod: Result = RemainderInt(I, J); return true;
 	case OpFRem: case OpFMod: Result = ToBits(X - Y * std::trunc(X / Y)); return true;
 	case OpIsNan: Result = X != X; return true;
 	case OpIsInf: Result = std::isinf(X); return true;
@@ -100,16 +161,6 @@ bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord
 	case OpLogicalAnd: Result = A & B; return true;
 	case OpLogicalNot: Result = !A; return true;
 	case OpSelect: Result = Operands[0] ? Operands[1] : Operands[2]; return true;
-	case OpIEqual: Result = A == B; return true;
-	case OpINotEqual: Result = A != B; return true;
-	case OpUGreaterThan: Result = A > B; return true;
-	case OpUGreaterThanEqual: Result = A >= B; return true;
-	case OpULessThan: Result = A < B; return true;
-	case OpULessThanEqual: Result = A <= B; return true;
-	case OpSGreaterThan: Result = I > J; return true;
-	case OpSGreaterThanEqual: Result = I >= J; return true;
-	case OpSLessThan: Result = I < J; return true;
-	case OpSLessThanEqual: Result = I <= J; return true;
 	case OpFOrdEqual: Result = X == Y; return true;
 	case OpFUnordEqual: Result = !(X < Y || X > Y); return true;
 	case OpFOrdNotEqual: case OpFUnordNotEqual: Result = X != Y; return true;
@@ -121,23 +172,8 @@ bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord
 	case OpFUnordLessThanEqual: Result = !(X > Y); return true;
 	case OpFOrdGreaterThanEqual: Result = X >= Y; return true;
 	case OpFUnordGreaterThanEqual: Result = !(X < Y); return true;
-	case OpShiftLeftLogical: Result = A << (B & 31); return true;
-	case OpShiftRightLogical: Result = A >> (B & 31); return true;
-	case OpShiftRightArithmetic: Result = uint32_t(I >> (B & 31)); return true;
-	case OpBitwiseOr: Result = A | B; return true;
-	case OpBitwiseXor: Result = A ^ B; return true;
-	case OpBitwiseAnd: Result = A & B; return true;
-	case OpNot: Result = ~A; return true;
-	case OpBitCount: Result = uint32_t(__builtin_popcount(A)); return true;
-	case OpBitReverse:
-		Result = 0;
-		for (int Bit = 0; Bit < 32; ++Bit)
-		{
-			Result |= FWord((A >> Bit) & 1) << (31 - Bit);
-		}
-		return true;
 	default:
-		return false;
+		return EvaluateInteger(Op, A, B, Result);
 	}
 	// clang-format on
 }
@@ -152,8 +188,6 @@ bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord
 	const Real X = ToSpirvReal<Real>(Operands[0]);
 	const Real Y = ToSpirvReal<Real>(Operands[1]);
 	const Real Z = ToSpirvReal<Real>(Operands[2]);
-	const int32_t I = int32_t(A);
-	const int32_t J = int32_t(B);
 	const auto Give = [&Result](Real Value)
 	{
 		Result = ToSpirvWord<Real>(Value);
@@ -174,32 +208,6 @@ bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord
 	case ExtFMax: case ExtNMax: return Give(MaxNumber(X, Y));
 	case ExtFClamp: case ExtNClamp: return Give(MinNumber(MaxNumber(X, Y), Z));
 	case ExtFma: return Give(X * Y + Z);
-	case ExtSAbs: Result = I < 0 ? 0u - A : A; return true;
-	case ExtSSign: Result = I > 0 ? 1u : I < 0 ? ~0u : 0u; return true;
-	case ExtUMin: Result = A < B ? A : B; return true;
-	case ExtUMax: Result = A > B ? A : B; return true;
-	case ExtSMin: Result = uint32_t(I < J ? I : J); return true;
-	case ExtSMax: Result = uint32_t(I > J ? I : J); return true;
-	case ExtUClamp:
-	{
-		const uint32_t Low = A > B ? A : B;
-		Result = Low < C ? Low : C;
-		return true;
-	}
-	case ExtSClamp:
-	{
-		const int32_t Low = I > J ? I : J;
-		Result = uint32_t(Low < int32_t(C) ? Low : int32_t(C));
-		return true;
-	}
-	case ExtFindILsb: Result = A ? uint32_t(__builtin_ctz(A)) : ~0u; return true;
-	case ExtFindUMsb: Result = A ? uint32_t(31 - __builtin_clz(A)) : ~0u; return true;
-	case ExtFindSMsb:
-	{
-		const uint32_t Magnitude = I < 0 ? ~A : A;
-		Result = Magnitude ? uint32_t(31 - __builtin_clz(Magnitude)) : ~0u;
-		return true;
-	}
 	// The library's own functions.
 	case ExtFSign: return Give(Lanes::Sign(X));
 	case ExtRadians: return Give(Lanes::Radians(X));
@@ -223,9 +231,19 @@ bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord
 	case ExtStep: return Give(Lanes::Step(X, Y));
 	case ExtSmoothStep: return Give(Lanes::SmoothStep(X, Y, Z));
 	default:
-		return false;
+		return EvaluateExtendedInteger(Ext, A, B, C, Result);
 	}
 	// clang-format on
+}
+
+bool EvaluateLong(uint16_t Op, const uint64_t* Operands, uint64_t& Result)
+{
+	return EvaluateInteger(Op, Operands[0], Operands[1], Result);
+}
+
+bool EvaluateExtendedLong(uint32_t Ext, const uint64_t* Operands, uint64_t& Result)
+{
+	return EvaluateExtendedInteger(Ext, Operands[0], Operands[1], Operands[2], Result);
 }
 
 template bool EvaluateOperation<float>(uint16_t, const uint64_t*, uint64_t&);

@@ -1,6 +1,6 @@
 // One scalar of one operation, written plainly from the rules of Direct3D and SPIR-V: the model's arithmetic, in float
 // and in double. Elementary functions (exp2, pow, sin...) are the library's own, which have their own tests.
-// SpirvWideMath.cpp: integers of 64 bits, and what makes one width of another.
+// SpirvWideMath.cpp: what makes one width of another.
 #pragma once
 
 #include "SpirvModule.h"

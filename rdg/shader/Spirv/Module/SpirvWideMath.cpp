@@ -1,5 +1,5 @@
-// Integers of 64 bits, and numbers of one width made of another. Source: D3D11 functional specification 3.2.2 and
-// 22.11 (conversions saturate, a NaN gives 0, division by zero gives all ones); IEEE 754 binary16.
+// Numbers of one width made of another. Source: D3D11 functional specification 3.2.2 and 22.11 (conversions saturate, a
+// NaN gives 0); IEEE 754 binary16.
 #include "SpirvScalarMath.h"
 
 #include <cmath>
@@ -62,21 +62,12 @@ To Saturate(double X)
 
 uint64_t SaturateTo(ESpirvType Kind, double X)
 {
-	switch (Kind)
-	{
-	case ESpirvType::Short:
-		return uint32_t(int32_t(Saturate<int16_t>(X)));
-	case ESpirvType::Ushort:
-		return Saturate<uint16_t>(X);
-	case ESpirvType::Int:
-		return uint32_t(Saturate<int32_t>(X));
-	case ESpirvType::Uint:
-		return Saturate<uint32_t>(X);
-	case ESpirvType::Long:
-		return uint64_t(Saturate<int64_t>(X));
-	default:
-		return Saturate<uint64_t>(X);
-	}
+	return Kind == ESpirvType::Short    ? uint32_t(int32_t(Saturate<int16_t>(X)))
+		   : Kind == ESpirvType::Ushort ? Saturate<uint16_t>(X)
+		   : Kind == ESpirvType::Int    ? uint32_t(Saturate<int32_t>(X))
+		   : Kind == ESpirvType::Uint   ? Saturate<uint32_t>(X)
+		   : Kind == ESpirvType::Long   ? uint64_t(Saturate<int64_t>(X))
+										: Saturate<uint64_t>(X);
 }
 
 /** An integer of up to 32 bits as 64 bits, by its sign or with zeros whatever its type says. */
@@ -101,84 +92,6 @@ double GetNumber(ESpirvType Kind, uint64_t Word)
 }
 
 } // namespace
-
-bool EvaluateLong(uint16_t Op, const uint64_t* Operands, uint64_t& Result)
-{
-	const uint64_t A = Operands[0];
-	const uint64_t B = Operands[1];
-	const int64_t I = int64_t(A);
-	const int64_t J = int64_t(B);
-	const bool bWraps = J == -1; // the one division that leaves the range, and its neighbours that do not
-	// clang-format off
-	switch (Op)
-	{
-	case OpSNegate: Result = 0 - A; return true;
-	case OpIAdd: Result = A + B; return true;
-	case OpISub: Result = A - B; return true;
-	case OpIMul: Result = A * B; return true;
-	case OpUDiv: Result = B ? A / B : ~uint64_t(0); return true;
-	case OpUMod: Result = B ? A % B : ~uint64_t(0); return true;
-	case OpSDiv: Result = J == 0 ? ~uint64_t(0) : bWraps ? 0 - A : uint64_t(I / J); return true;
-	case OpSRem: case OpSMod: Result = J == 0 ? ~uint64_t(0) : bWraps ? 0 : uint64_t(I % J); return true;
-	case OpIEqual: Result = A == B; return true;
-	case OpINotEqual: Result = A != B; return true;
-	case OpUGreaterThan: Result = A > B; return true;
-	case OpUGreaterThanEqual: Result = A >= B; return true;
-	case OpULessThan: Result = A < B; return true;
-	case OpULessThanEqual: Result = A <= B; return true;
-	case OpSGreaterThan: Result = I > J; return true;
-	case OpSGreaterThanEqual: Result = I >= J; return true;
-	case OpSLessThan: Result = I < J; return true;
-	case OpSLessThanEqual: Result = I <= J; return true;
-	case OpShiftLeftLogical: Result = A << (B & 63); return true;
-	case OpShiftRightLogical: Result = A >> (B & 63); return true;
-	case OpShiftRightArithmetic: Result = uint64_t(I >> (B & 63)); return true;
-	case OpBitwiseOr: Result = A | B; return true;
-	case OpBitwiseXor: Result = A ^ B; return true;
-	case OpBitwiseAnd: Result = A & B; return true;
-	case OpNot: Result = ~A; return true;
-	case OpBitCount: Result = uint64_t(__builtin_popcountll(A)); return true;
-	case OpBitReverse:
-		Result = 0;
-		for (int Bit = 0; Bit < 64; ++Bit)
-		{
-			Result |= ((A >> Bit) & 1) << (63 - Bit);
-		}
-		return true;
-	default:
-		return false;
-	}
-	// clang-format on
-}
-
-bool EvaluateExtendedLong(uint32_t Ext, const uint64_t* Operands, uint64_t& Result)
-{
-	const uint64_t A = Operands[0];
-	const uint64_t B = Operands[1];
-	const uint64_t C = Operands[2];
-	const int64_t I = int64_t(A);
-	const int64_t J = int64_t(B);
-	const uint64_t Magnitude = I < 0 && Ext == ExtFindSMsb ? ~A : A;
-	// clang-format off
-	switch (Ext)
-	{
-	case ExtSAbs: Result = I < 0 ? 0 - A : A; return true;
-	case ExtSSign: Result = I > 0 ? 1 : I < 0 ? ~uint64_t(0) : 0; return true;
-	case ExtUMin: Result = A < B ? A : B; return true;
-	case ExtUMax: Result = A > B ? A : B; return true;
-	case ExtSMin: Result = I < J ? A : B; return true;
-	case ExtSMax: Result = I > J ? A : B; return true;
-	case ExtUClamp: Result = A > B ? A : B; Result = Result < C ? Result : C; return true;
-	case ExtSClamp: Result = I > J ? A : B; Result = int64_t(Result) < int64_t(C) ? Result : C; return true;
-	case ExtFindILsb: Result = A ? uint64_t(__builtin_ctzll(A)) : ~uint64_t(0); return true;
-	case ExtFindUMsb: case ExtFindSMsb:
-		Result = Magnitude ? uint64_t(63 - __builtin_clzll(Magnitude)) : ~uint64_t(0);
-		return true;
-	default:
-		return false;
-	}
-	// clang-format on
-}
 
 template<typename Real>
 uint64_t ConvertSpirv(uint16_t Op, ESpirvType From, ESpirvType To, uint64_t Word)
@@ -219,29 +132,19 @@ uint64_t NarrowSpirv(ESpirvType Kind, uint64_t Word)
 template<typename Real>
 uint64_t ToSpirvMemory(ESpirvType Kind, uint64_t Word)
 {
-	switch (Kind)
-	{
-	case ESpirvType::Float:
-		return __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(Word)));
-	case ESpirvType::Half:
-		return ToHalfBits(double(ToSpirvReal<Real>(Word)));
-	default:
-		return GetSpirvBytes(Kind) == 2 ? uint16_t(Word) : Word;
-	}
+	return Kind == ESpirvType::Float  ? __builtin_bit_cast(uint32_t, float(ToSpirvReal<Real>(Word)))
+		   : Kind == ESpirvType::Half ? ToHalfBits(double(ToSpirvReal<Real>(Word)))
+		   : GetSpirvBytes(Kind) == 2 ? uint16_t(Word)
+									  : Word;
 }
 
 template<typename Real>
 uint64_t FromSpirvMemory(ESpirvType Kind, uint64_t Bits)
 {
-	switch (Kind)
-	{
-	case ESpirvType::Float:
-		return ToSpirvWord<Real>(Real(__builtin_bit_cast(float, uint32_t(Bits))));
-	case ESpirvType::Half:
-		return ToSpirvWord<Real>(Real(FromHalfBits(uint16_t(Bits))));
-	default:
-		return GetSpirvBytes(Kind) == 2 ? MakeInteger(Kind, Bits) : Bits;
-	}
+	return Kind == ESpirvType::Float  ? ToSpirvWord<Real>(Real(__builtin_bit_cast(float, uint32_t(Bits))))
+		   : Kind == ESpirvType::Half ? ToSpirvWord<Real>(Real(FromHalfBits(uint16_t(Bits))))
+		   : GetSpirvBytes(Kind) == 2 ? MakeInteger(Kind, Bits)
+									  : Bits;
 }
 
 template uint64_t ConvertSpirv<float>(uint16_t, ESpirvType, ESpirvType, uint64_t);

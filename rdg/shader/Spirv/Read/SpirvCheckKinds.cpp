@@ -2,6 +2,8 @@
 // result would be another number and nobody would know.
 #include "SpirvChecker.h"
 
+#include <set>
+
 namespace Drydock
 {
 
@@ -20,73 +22,29 @@ enum class EOperands : uint8_t
 
 EOperands GetOperandKind(uint16_t Op)
 {
-	switch (Op)
+	static const std::set<uint16_t> Floats = {OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpFRem, OpFMod,
+		OpVectorTimesMatrix, OpMatrixTimesVector, OpMatrixTimesMatrix, OpOuterProduct, OpDot, OpIsNan, OpIsInf,
+		OpConvertFToU, OpConvertFToS};
+	static const std::set<uint16_t> Integers = {OpSNegate, OpIAdd, OpISub, OpIMul, OpUDiv, OpSDiv, OpUMod, OpSRem,
+		OpSMod, OpNot, OpBitCount, OpBitReverse, OpConvertSToF, OpConvertUToF};
+	const auto IsFrom = [Op](uint16_t First, uint16_t Last)
 	{
-	case OpFNegate:
-	case OpFAdd:
-	case OpFSub:
-	case OpFMul:
-	case OpFDiv:
-	case OpFRem:
-	case OpFMod:
-	case OpVectorTimesMatrix:
-	case OpMatrixTimesVector:
-	case OpMatrixTimesMatrix:
-	case OpOuterProduct:
-	case OpDot:
-	case OpIsNan:
-	case OpIsInf:
-	case OpConvertFToU:
-	case OpConvertFToS:
-		return EOperands::Floats;
-	case OpSNegate:
-	case OpIAdd:
-	case OpISub:
-	case OpIMul:
-	case OpUDiv:
-	case OpSDiv:
-	case OpUMod:
-	case OpSRem:
-	case OpSMod:
-	case OpNot:
-	case OpBitCount:
-	case OpBitReverse:
-	case OpConvertSToF:
-	case OpConvertUToF:
-		return EOperands::Integers;
-	default:
-		return Op >= OpFOrdEqual && Op <= OpFUnordGreaterThanEqual ? EOperands::Floats
-			   : (Op >= OpIEqual && Op <= OpSLessThanEqual) || (Op >= OpShiftRightLogical && Op <= OpBitwiseAnd)
-				   ? EOperands::Integers
-				   : EOperands::Any;
-	}
+		return Op >= First && Op <= Last;
+	};
+	return Floats.count(Op) || IsFrom(OpFOrdEqual, OpFUnordGreaterThanEqual) ? EOperands::Floats
+		   : Integers.count(Op) || IsFrom(OpIEqual, OpSLessThanEqual) || IsFrom(OpShiftRightLogical, OpBitwiseAnd)
+			   ? EOperands::Integers
+			   : EOperands::Any;
 }
 
 EOperands GetExtOperandKind(uint32_t Ext)
 {
-	switch (Ext)
-	{
-	case ExtSAbs:
-	case ExtSSign:
-		return EOperands::Signed;
-	case ExtUMin:
-	case ExtSMin:
-	case ExtUMax:
-	case ExtSMax:
-	case ExtUClamp:
-	case ExtSClamp:
-	case ExtFindILsb:
-	case ExtFindSMsb:
-	case ExtFindUMsb:
-	case ExtUnpackHalf2x16:
-	case ExtPackDouble2x32:
-		return EOperands::Integers;
-	case ExtModf:
-	case ExtLdexp:
-		return EOperands::Any; // of two kinds
-	default:
-		return EOperands::Floats;
-	}
+	static const std::set<uint32_t> Integers = {ExtUMin, ExtSMin, ExtUMax, ExtSMax, ExtUClamp, ExtSClamp, ExtFindILsb,
+		ExtFindSMsb, ExtFindUMsb, ExtUnpackHalf2x16, ExtPackDouble2x32};
+	return Ext == ExtSAbs || Ext == ExtSSign   ? EOperands::Signed
+		   : Integers.count(Ext)               ? EOperands::Integers
+		   : Ext == ExtModf || Ext == ExtLdexp ? EOperands::Any // of two kinds
+											   : EOperands::Floats;
 }
 
 } // namespace

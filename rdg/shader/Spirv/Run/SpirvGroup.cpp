@@ -4,6 +4,7 @@
 #include "SpirvGroup.h"
 
 #include "SpirvQuads.h"
+#include "RangeTools.h"
 
 #include <algorithm>
 
@@ -124,11 +125,7 @@ void TSpirvGroup<Real>::RunWave(uint32_t First, uint32_t Last, uint64_t MaxSteps
 		const FSpirvInstruction& I = *Threads[Together.front()]->GetWaiting().I;
 		if (IsSpirvWave(I.Op) || (Program.Module.bQuads && IsQuadStep(I)))
 		{
-			std::vector<TSpirvThread<Real>*> Taking;
-			for (const uint32_t i : Together)
-			{
-				Taking.push_back(Threads[i].get());
-			}
+			auto Taking = ToVector<TSpirvThread<Real>*>(Together, [&](const uint32_t i) { return Threads[i].get(); });
 			TSpirvThread<Real>::ExecuteTogether(Taking);
 		}
 		else

@@ -23,20 +23,12 @@ FSpirvThreadView::~FSpirvThreadView() = default;
 
 double FSpirvThreadView::GetNumber(uint32_t Word, ESpirvType Kind) const
 {
-	switch (Kind)
-	{
-	case ESpirvType::Float:
-	case ESpirvType::Half:
-		return GetReal(Word);
-	case ESpirvType::Double:
-		return __builtin_bit_cast(double, GetWideBits(Word));
-	case ESpirvType::Long:
-		return double(int64_t(GetWideBits(Word)));
-	case ESpirvType::Ulong:
-		return double(GetWideBits(Word));
-	default:
-		return IsSpirvSigned(Kind) ? double(int32_t(GetBits(Word))) : double(GetBits(Word));
-	}
+	return Kind == ESpirvType::Float || Kind == ESpirvType::Half ? GetReal(Word)
+		   : Kind == ESpirvType::Double                          ? __builtin_bit_cast(double, GetWideBits(Word))
+		   : Kind == ESpirvType::Long                            ? double(int64_t(GetWideBits(Word)))
+		   : Kind == ESpirvType::Ulong                           ? double(GetWideBits(Word))
+		   : IsSpirvSigned(Kind)                                 ? double(int32_t(GetBits(Word)))
+																 : double(GetBits(Word));
 }
 
 ISpirvObserver::~ISpirvObserver() = default;

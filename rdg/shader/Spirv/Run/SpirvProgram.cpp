@@ -15,20 +15,11 @@ using namespace Spirv;
 uint32_t FSpirvProgram::WordsOf(uint32_t TypeId) const
 {
 	const FSpirvType& Type = Module.GetType(TypeId);
-	switch (Type.Kind)
-	{
-	case ESpirvType::Void:
-		return 0;
-	case ESpirvType::Image:
-	case ESpirvType::Sampler:
-		return 1;
-	case ESpirvType::SampledImage:
-		return 2;
-	case ESpirvType::Pointer:
-		return GSpirvPointerWords;
-	default:
-		return Type.NumScalars;
-	}
+	return Type.Kind == ESpirvType::Void                                        ? 0
+		   : Type.Kind == ESpirvType::Image || Type.Kind == ESpirvType::Sampler ? 1
+		   : Type.Kind == ESpirvType::SampledImage                              ? 2
+		   : Type.Kind == ESpirvType::Pointer                                   ? GSpirvPointerWords
+																				: Type.NumScalars;
 }
 
 uint32_t FSpirvProgram::BlockOf(uint32_t Label) const

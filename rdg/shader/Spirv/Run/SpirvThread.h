@@ -77,7 +77,6 @@ public:
 	bool WasDiscarded() const { return bDiscarded || bDemoted; }
 	/** A variable's words: outputs, after Run. */
 	const FWord* GetMemory(size_t Variable) const { return Words.data() + Program.Memory[Variable].First; }
-	bool IsDefined(uint32_t Word) const { return Undefined.empty() || !Undefined[Word]; }
 
 	/** Observer may be null. With bInTrackUndefined, values that nothing wrote are followed to where they matter. */
 	void SetObserver(ISpirvObserver* InObserver, bool bInTrackUndefined);

@@ -2,8 +2,6 @@
 // the program obeys: FEngineProfile, hooks and insertion points.
 #pragma once
 
-#include "DrydockAPI.h"
-
 #include <string>
 
 namespace Drydock
@@ -11,6 +9,6 @@ namespace Drydock
 
 /** Markdown: a row for each difference, a column for each version. Behaviour that is the same in all versions has no
  * row. */
-DRYDOCK_API std::string MakeVersionTable();
+std::string MakeVersionTable();
 
 } // namespace Drydock

@@ -1,5 +1,5 @@
 // Makes the table row by row; a row that all versions agree on is left out.
-#include "Matrix/VersionTable.h"
+#include "VersionTable.h"
 
 #include "ExtensionFactory.h"
 #include "Extensions/EngineHooks.h"
@@ -13,15 +13,15 @@ namespace Drydock
 namespace
 {
 
-struct FRow
+struct FVersionRow
 {
 	std::string What;
 	std::vector<bool> Holds; // by version, as GetEngineProfiles
 };
 
-FRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member)
+FVersionRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member)
 {
-	FRow Row{What, {}};
+	FVersionRow Row{What, {}};
 	for (const FEngineProfile& Profile : GetEngineProfiles())
 	{
 		Row.Holds.push_back(Profile.*Member);
@@ -30,7 +30,7 @@ FRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member)
 }
 
 /** In a function of its own, so that a new member of the profile does not compile until it is listed here. */
-std::vector<FRow> MakeMathsRows()
+std::vector<FVersionRow> MakeMathsRows()
 {
 	const auto& [Minor, bShadowContrast, bRamp, bThresholds] = GetDefaultEngineProfile();
 	static_cast<void>(Minor);
@@ -47,12 +47,12 @@ std::vector<FRow> MakeMathsRows()
 	};
 }
 
-std::vector<FRow> MakeHookRows()
+std::vector<FVersionRow> MakeHookRows()
 {
-	std::vector<FRow> Rows;
+	std::vector<FVersionRow> Rows;
 	for (const FHookVersions& Hook : GetHookVersions())
 	{
-		FRow Row{std::string("hook `") + Hook.Signature + "`", {}};
+		FVersionRow Row{std::string("hook `") + Hook.Signature + "`", {}};
 		for (const FEngineProfile& Profile : GetEngineProfiles())
 		{
 			Row.Holds.push_back(IsHookCalled(Hook.Hook, Profile.Minor));
@@ -62,12 +62,12 @@ std::vector<FRow> MakeHookRows()
 	return Rows;
 }
 
-std::vector<FRow> MakePointRows()
+std::vector<FVersionRow> MakePointRows()
 {
-	std::vector<FRow> Rows;
+	std::vector<FVersionRow> Rows;
 	for (const FInsertionPoint& Point : GetInsertionPoints())
 	{
-		FRow Row{"insertion point `" + std::string(GetPassName(Point.Pass)) + "`: " + Point.Doc, {}};
+		FVersionRow Row{"insertion point `" + std::string(GetPassName(Point.Pass)) + "`: " + Point.Doc, {}};
 		for (const FEngineProfile& Profile : GetEngineProfiles())
 		{
 			Row.Holds.push_back(HasInsertionPoint(Point.Pass, Profile.Minor));
@@ -89,9 +89,9 @@ std::string MakeVersionTable()
 		Rule += "---|";
 	}
 	std::string Table = Head + "\n" + Rule + "\n";
-	for (const std::vector<FRow>& Rows : {MakeHookRows(), MakePointRows(), MakeMathsRows()})
+	for (const std::vector<FVersionRow>& Rows : {MakeHookRows(), MakePointRows(), MakeMathsRows()})
 	{
-		for (const FRow& Row : Rows)
+		for (const FVersionRow& Row : Rows)
 		{
 			const auto NumHolding = std::count(Row.Holds.begin(), Row.Holds.end(), true);
 			if (NumHolding == 0 || NumHolding == static_cast<std::ptrdiff_t>(Row.Holds.size()))
