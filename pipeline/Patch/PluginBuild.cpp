@@ -9,6 +9,7 @@
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
@@ -172,7 +173,8 @@ std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 					  ": add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)";
 		}
 	}
-	return Advice;
+	const std::string Graph = AdviseOnCompositionGraph(JoinText(Errors));
+	return Advice + (Graph.empty() ? "" : "\n  " + Graph);
 }
 
 /** The errors among the output of the compiler and the linker. */
@@ -295,6 +297,21 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 }
 
 } // namespace
+
+std::string AdviseOnCompositionGraph(const std::string& Text)
+{
+	for (const char* const Name : {"TRenderingCompositePassBase", "FRenderingCompositePass", "FPostprocessContext"})
+	{
+		if (Text.find(Name) != Text.npos)
+		{
+			return std::string(Name) +
+				   " belongs to UE4's composition graph, which Unreal 5 does not have: write a function that adds the "
+				   "pass with an FRDGBuilder and takes and returns an FScreenPassTexture, as in "
+				   "docs/articles/red-post-process.md";
+		}
+	}
+	return "";
+}
 
 int FindEngineMinor(const std::string& Folder)
 {
