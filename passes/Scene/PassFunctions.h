@@ -1,5 +1,5 @@
 // The table of the chain's pass functions. Each function of the engine's name goes through it: to drydock's own passes,
-// or to those of an engine overlay that is active. Source: drydock.
+// or to those of an engine overlay that is active.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,9 +1,9 @@
-// The pass functions that an engine overlay can replace, one in a row. Headers: below the engine's Renderer/Private. Shaders: the
-// main file in /Engine/Private; empty: the pass runs on the CPU.
-// DRYDOCK_PASS_INPUTS(result, function, header, shader, inputs, members): the function takes graph builder, view and a struct. The
-// members are DRYDOCK_MEMBER(Name)...; they are handed over one by one, because an overlay's struct of that name may have
-// others. DRYDOCK_PASS(result, scope, function, header, shader, parameters,
-// arguments): any other function.
+// The pass functions that an engine overlay can replace, one in a row. Headers: below the engine's Renderer/Private.
+// Shaders: the main file in /Engine/Private; empty: the pass runs on the CPU. DRYDOCK_PASS_INPUTS(result, function,
+// header, shader, inputs, members): the function takes graph builder, view and a struct. The members are
+// DRYDOCK_MEMBER(Name)...; they are handed over one by one, because an overlay's struct of that name may have others.
+// DRYDOCK_PASS(result, scope, function, header, shader, parameters, arguments): any other function.
+// clang-format off
 DRYDOCK_PASS_INPUTS(FScreenPassTexture, AddBloomSetupPass, "PostProcess/PostProcessBloomSetup.h", "PostProcessBloom.usf", FBloomSetupInputs,
 	DRYDOCK_MEMBER(SceneColor) DRYDOCK_MEMBER(EyeAdaptationBuffer) DRYDOCK_MEMBER(Threshold) DRYDOCK_MEMBER(EyeAdaptationParameters) DRYDOCK_MEMBER(LocalExposureParameters) DRYDOCK_MEMBER(LocalExposureTexture) DRYDOCK_MEMBER(BlurredLogLuminanceTexture))
 DRYDOCK_PASS_INPUTS(FFFTBloomOutput, AddFFTBloomPass, "PostProcess/PostProcessFFTBloom.h", "PostProcessFFTBloom.usf", FFFTBloomInputs,
@@ -47,3 +47,4 @@ DRYDOCK_PASS(FRDGTextureRef, , AddCombineLUTPass, "PostProcess/PostProcessCombin
 DRYDOCK_PASS(FScreenPassTexture, DiaphragmDOF::, AddPasses, "PostProcess/DiaphragmDOF.h", "DiaphragmDOF.usf",
 	(FRDGBuilder& GraphBuilder, const FViewInfo& View, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor, const DiaphragmDOF::FPhysicalCocModel& Model, const DiaphragmDOF::FBokehModel& Bokeh),
 	(GraphBuilder, View, SceneTextures, SceneColor, Model, Bokeh))
+// clang-format on

@@ -5,6 +5,9 @@
 #include "RenderGraphUtils.h"
 #include "SceneTexturesConfig.h"
 
+#include <map>
+#include <string>
+
 struct FSceneTextures
 {
 	FSceneTexturesConfig Config;
@@ -29,4 +32,14 @@ struct FSceneTextures
 	/** drydock: what is composed over the picture after depth of field: premultiplied radiance, pre-exposed, and in
 	 * alpha the transmittance of what lies behind. The engine keeps it in FTranslucencyPassResources. */
 	FRDGTextureRef SeparateTranslucency = nullptr;
+	/** drydock: channels of the scene file that the config names as textures (scene.textures), as they stand, by name. A
+	 * patch of the engine would add a member for each. */
+	std::map<std::string, FRDGTextureRef> Named;
+
+	/** The texture of Named; null where there is none. */
+	FRDGTextureRef FindNamed(const TCHAR* Name) const
+	{
+		const auto Found = Named.find(Name);
+		return Found != Named.end() ? Found->second : nullptr;
+	}
 };

@@ -63,6 +63,7 @@ struct FConfigScene
 	TConfigValue<double> Fps;         // frames per second of the sequence; the scene file's by default
 	std::map<std::string, TConfigValue<std::string>> Channels;
 	std::map<std::string, TConfigValue<double>> Defaults;
+	std::map<std::string, TConfigValue<std::string>> Textures; // "X, Y": channels of the file, by the texture's name
 	std::optional<FConfigVector> CameraLocation; // cm, of the file's header: see CompleteFromScene
 	FConfigPadding Padding;
 	double ScreenPercentage = 100.0; // rendered size in percent of the output's
@@ -158,7 +159,7 @@ struct FConfig
 	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
 	std::vector<FConfigOverlay> Overlays;
-	FJsonValue Objects;                             // as it stands, null where there is none: see FObjectValues
+	FJsonValue Objects; // as it stands, null where there is none: see FObjectValues
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given
 	std::vector<FConfigView> Views;                 // empty: View alone

@@ -41,6 +41,7 @@ const std::vector<FConfigKey>& GetConfigKeys()
 		{"scene", "frames", String, "", 0, Optional, "Frames that a run of a sequence renders: \"all\", \"1-8\", \"1-9x2\", \"1,3,5-8\"; the lowest alone by default."},
 		{"scene", "fps", Number, "", 0, Optional, "Frames of a sequence in a second; the scene file's by default, else 24."},
 		{"scene", "channels", StringMap, "", 0, Optional, "Channel names of this file: {\"depth.Z\": \"Depth.V\"} reads depth.Z from Depth.V."},
+		{"scene", "textures", StringMap, "", 0, Optional, "Textures of the file's own channels, up to four each: {\"Wetness\": \"wet.R, wet.G\"}."},
 		{"scene", "defaults", NumberMap, "", 0, Optional, "Values for channels that the file lacks: {\"A\": 1}."},
 		{"scene", "padding", Padding, "padding", 0, Optional, "Texels around the picture that hold no picture: a number for all sides, or one for each."},
 		{"scene", "units", Object, "units", 0, Optional, "Units of the file, where they are not those of configs/scenes/README.md."},

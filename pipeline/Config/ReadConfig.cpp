@@ -158,7 +158,7 @@ void ReadObjects(const FJsonValue& Root, const char* Key, std::vector<FJsonValue
 		});
 }
 
-/** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. What is neither was reported. */
+/** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. Anything else was reported. */
 void ReadOverlay(const FJsonValue& Value, FConfig& Config)
 {
 	if (Value.Type == EJsonType::String)

@@ -120,6 +120,22 @@ void ReadRect(const FJsonValue& Value, FConfigView& View, FConfigMessages& Messa
 		});
 }
 
+/** The texts of an object, by key. */
+void ReadStrings(const FJsonValue& Value, const char* Key, std::map<std::string, TConfigValue<std::string>>& Strings)
+{
+	WithMember(Value, Key, EJsonType::Object,
+		[&](const FJsonValue& Object)
+		{
+			for (const auto& [Name, Text] : Object.Members)
+			{
+				if (Text.Type == EJsonType::String)
+				{
+					Strings[Name] = {Text.String, PlaceOf(Text)};
+				}
+			}
+		});
+}
+
 } // namespace
 
 void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Messages)
@@ -138,17 +154,8 @@ void ReadScene(const FJsonValue& Value, FConfigScene& Scene, FConfigMessages& Me
 			}
 			Scene.Fps = {Fps.Number, PlaceOf(Fps)};
 		});
-	WithMember(Value, "channels", EJsonType::Object,
-		[&](const FJsonValue& Channels)
-		{
-			for (const auto& [Name, Channel] : Channels.Members)
-			{
-				if (Channel.Type == EJsonType::String)
-				{
-					Scene.Channels[Name] = {Channel.String, PlaceOf(Channel)};
-				}
-			}
-		});
+	ReadStrings(Value, "channels", Scene.Channels);
+	ReadStrings(Value, "textures", Scene.Textures);
 	WithMember(Value, "defaults", EJsonType::Object,
 		[&](const FJsonValue& Defaults)
 		{

@@ -369,6 +369,10 @@ std::vector<FPassRequest> ReadPassRequests(const FConfig& Config, std::vector<FD
 	FConfigMessages Messages(Config.File, Diagnostics);
 	std::vector<FPassRequest> Requests;
 	FPassNames Earlier;
+	for (const auto& [Texture, Channels] : Config.Scene.Textures)
+	{
+		Earlier.Add(Texture);
+	}
 	for (const FJsonValue& Value : Config.Passes)
 	{
 		const FJsonValue* Type = FindString(Value, "type");

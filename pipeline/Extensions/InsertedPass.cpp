@@ -79,6 +79,10 @@ private:
 				return FScreenPassTexture(Texture, View.ViewRect);
 			}
 		}
+		if (const FRDGTextureRef Named = Scene.FindNamed(Resource.c_str()))
+		{
+			return FScreenPassTexture(Named, View.ViewRect);
+		}
 		FDiagnostic Diagnostic;
 		Diagnostic.Code = ErrorPassInput;
 		Diagnostic.Where = "pass " + Request.Name + " at " + Request.Hook;

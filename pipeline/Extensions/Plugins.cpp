@@ -44,7 +44,8 @@ size_t CountRegistered()
 {
 	size_t NumShaders = 0;
 	ForEachGlobalShader([&](const FGlobalShaderType&) { ++NumShaders; });
-	return NumShaders + CountPassReplacements() + GetExtensionFactories().size() + GetPassFactories().size() + GetSettingFields().size();
+	return NumShaders + CountPassReplacements() + GetExtensionFactories().size() + GetPassFactories().size() +
+		   GetSettingFields().size();
 }
 
 std::string GetFileName(const std::string& Path)

@@ -198,11 +198,10 @@ std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::str
 	}
 	if (Made.empty())
 	{
-		throw FError({.Code = ErrorOverlayFolder,
-						 .Message = Pass +
-									" runs on the CPU and has no shader, and drydock has no C++ of the engine's "
-									"form for it; put the engine's own files in a folder " +
-									Name + "/Engine/Source/Runtime/Renderer/Private/PostProcess"},
+		throw FError(
+			{.Code = ErrorOverlayFolder,
+				.Message = Pass + " runs on the CPU and has no shader; put the engine's own files in a folder " + Name +
+						   "/Engine/Source/Runtime/Renderer/Private/PostProcess"},
 			ExitUsage);
 	}
 	Made.push_back({Name + ".json", RenamePatch(ReadOwnFile(GetTemplates() / "MyPatch.json"), Name)});

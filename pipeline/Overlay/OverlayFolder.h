@@ -42,7 +42,7 @@ struct FOverlayFolder
 	/** The file of one of its shaders. */
 	std::string GetShaderFile(const std::string& Shader) const;
 
-	/** What it stands in for: shaders, functions, places and settings, by name. */
+	/** Names of all that it stands in for: shaders, functions, places and settings. */
 	std::vector<std::string> ListReplaced() const;
 };
 

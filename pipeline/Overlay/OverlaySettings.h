@@ -38,7 +38,7 @@ struct FOverlaySettings
 	std::vector<std::string> EnumTexts;
 };
 
-/** Every UPROPERTY of Header that has a bOverride_ bit there and is no setting of drydock's table. Defaults are those
+/** Every UPROPERTY of Header that has a bOverride_ bit there and is not in drydock's table. Defaults are those
  * of Source or Header, else zero. Mistakes are appended to Diagnostics. */
 DRYDOCK_API FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayText& Source,
 	const FOverlayText& View, std::vector<FDiagnostic>& Diagnostics);

@@ -19,8 +19,8 @@ struct FOverlaysOfRun
 	std::vector<std::string> Libraries; // of those with code
 };
 
-/** Reads the folders of Config.Overlays and builds their libraries below build/ in the working folder. What is wrong is
- * an error in Diagnostics, and then nothing is built. bRefuseCode: an overlay with C++ is an error. */
+/** Reads the folders of Config.Overlays and builds their libraries below build/ in the working folder. A mistake is an
+ * error in Diagnostics, and then nothing is built. bRefuseCode: an overlay with C++ is an error. */
 DRYDOCK_API FOverlaysOfRun PrepareOverlays(
 	const FConfig& Config, bool bRefuseCode, std::vector<FDiagnostic>& Diagnostics);
 

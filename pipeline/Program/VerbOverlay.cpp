@@ -73,23 +73,13 @@ std::string MakeDifferenceJson(const FOverlayFolder& Folder, const FOverlayDiffe
 	FJsonWriter Writer;
 	Writer.BeginObject();
 	Writer.Member("overlay", Folder.Name);
-	Writer.Key("hunks").BeginArray();
-	for (const FOverlayHunk& Hunk : Difference.Hunks)
-	{
-		Writer.BeginObject();
-		Writer.Member("file", Hunk.File);
-		Writer.Member("function", Hunk.Function);
-		Writer.Member("lines", Hunk.Lines);
-		Writer.Member("drydocksOwn", Hunk.bOwn);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-	Writer.Key("notCompared").BeginArray();
-	for (const std::string& New : Difference.NewFiles)
-	{
-		Writer.Value(New);
-	}
-	Writer.EndArray();
+	Writer.Array("hunks", Difference.Hunks,
+		[&](const FOverlayHunk& Hunk)
+		{
+			Writer.Object(
+				{{"file", Hunk.File}, {"function", Hunk.Function}, {"lines", Hunk.Lines}, {"drydocksOwn", Hunk.bOwn}});
+		});
+	Writer.Member("notCompared", Difference.NewFiles);
 	Writer.EndObject();
 	return Writer.GetText();
 }
@@ -123,10 +113,7 @@ FVerbCall AddOverlayNewOptions(FVerbOptions& Verb)
 		.Require();
 	Verb.Add("--dir", Options->Folder, "Make the folder NAME in this folder; in the current one by default")
 		.SetType("DIR");
-	return [Options]
-	{
-		return MakeOverlay(*Options);
-	};
+	return CallWith(Options, MakeOverlay);
 }
 
 FVerbCall AddOverlayDiffOptions(FVerbOptions& Verb)
@@ -135,10 +122,7 @@ FVerbCall AddOverlayDiffOptions(FVerbOptions& Verb)
 	Verb.Add("DIR", Options->Folder, "Folder of an overlay").Require();
 	Verb.Add("--engine", Options->Engine, "Engine version that the changes are meant for").SetType("VERSION");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: the hunks, and the files that were not compared");
-	return [Options]
-	{
-		return CompareOverlays(*Options);
-	};
+	return CallWith(Options, CompareOverlays);
 }
 
 const FVerbRegistration GOverlayRegistration({

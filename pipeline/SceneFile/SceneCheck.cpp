@@ -78,6 +78,29 @@ void CheckSceneChannels(const FConfig& Config, const FImageFile* File, std::vect
 					Messages.Suggest(Channel.Value, File->GetChannels()));
 		}
 	}
+	for (const auto& [Name, Names] : Config.Scene.Textures)
+	{
+		constexpr size_t MostChannels = 4;
+		const std::vector<std::string> Channels = SplitChannelNames(Names.Value);
+		if (FindScenePacking(Name) != nullptr)
+		{
+			Messages.Error(ErrorBadValue, Names.Place, "drydock has a scene texture " + Name + "; choose another name");
+		}
+		if (Channels.empty() || Channels.size() > MostChannels)
+		{
+			Messages.Error(ErrorBadValue, Names.Place,
+				"a texture must have 1 to 4 channels, but " + Name + " has " + std::to_string(Channels.size()));
+		}
+		for (const std::string& Channel : Channels)
+		{
+			if (File != nullptr && File->FindChannel(Channel) < 0)
+			{
+				Messages.Error(ErrorUnknownValue, Names.Place,
+					File->GetPath() + " has no channel \"" + Channel + "\"" +
+						Messages.Suggest(Channel, File->GetChannels()));
+			}
+		}
+	}
 	for (const auto& [Name, Default] : Config.Scene.Defaults)
 	{
 		CheckKnown(Name, Default.Place);

@@ -49,6 +49,26 @@ FSceneFile::FSceneFile(const FConfig& InConfig, FSceneCache* InCache)
 	{
 		throw FError(Diagnostics, ExitUsage);
 	}
+	for (const auto& [Name, Names] : Config.Textures)
+	{
+		FOwnTexture& Own = OwnTextures.emplace_back(FOwnTexture{Name, SplitChannelNames(Names.Value), {}});
+		Own.Packing = MakeOwnScenePacking(Own.Name, Own.Channels);
+	}
+}
+
+const FScenePacking* FSceneFile::FindPacking(const std::string& Texture) const
+{
+	const auto Own = std::find_if(
+		OwnTextures.begin(), OwnTextures.end(), [&](const FOwnTexture& Each) { return Each.Name == Texture; });
+	return Own != OwnTextures.end() ? &Own->Packing : FindScenePacking(Texture);
+}
+
+FRDGTextureRef FSceneFile::Register(FRDGBuilder& GraphBuilder, const FScenePacking& Packing)
+{
+	TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
+	Texture = new FRHITexture(
+		FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags), Packing.Name);
+	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
 }
 
 void FSceneFile::SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions)
@@ -86,12 +106,11 @@ FSceneTextures FSceneFile::RegisterTextures(FRDGBuilder& GraphBuilder)
 		{
 			continue;
 		}
-		const FRHITextureDesc Desc =
-			FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags);
-		TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
-		Texture = new FRHITexture(Desc, Packing.Name);
-		Packing.SetTexture(
-			Registered, GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name));
+		Packing.SetTexture(Registered, Register(GraphBuilder, Packing));
+	}
+	for (const FOwnTexture& Own : OwnTextures)
+	{
+		Registered.Named[Own.Name] = Register(GraphBuilder, Own.Packing);
 	}
 	if (Registered.CustomStencilTexture)
 	{
@@ -161,7 +180,7 @@ bool FSceneFile::IsFilled(const std::string& Texture) const
 /** Empty when there is nothing to do. */
 std::optional<FSceneFile::FFill> FSceneFile::PlanFill(const FNeededSceneTexture& Needed) const
 {
-	FFill Fill{FindScenePacking(Needed.Texture), GetTexture(Needed.Texture), {}};
+	FFill Fill{FindPacking(Needed.Texture), GetTexture(Needed.Texture), {}};
 	if (Fill.Packing == nullptr || Fill.Texture == nullptr || IsFilled(Needed.Texture))
 	{
 		return std::nullopt;

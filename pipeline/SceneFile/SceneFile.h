@@ -13,6 +13,7 @@
 #include "SceneFile/SceneResolution.h"
 #include "SceneFile/SceneTexturePacking.h"
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -107,6 +108,16 @@ private:
 	};
 	using FPlanes = std::map<int, FSceneCache::FPlane>; // by the file's channel index
 
+	/** A texture of scene.textures; the packing refers to the names. */
+	struct FOwnTexture
+	{
+		std::string Name;
+		std::vector<std::string> Channels;
+		FScenePacking Packing;
+	};
+
+	const FScenePacking* FindPacking(const std::string& Texture) const;
+	FRDGTextureRef Register(FRDGBuilder& GraphBuilder, const FScenePacking& Packing);
 	std::optional<FSource> FindSource(const FScenePackChannel& Channel) const;
 	bool HasAnyChannel(const FScenePacking& Packing) const;
 	std::optional<FFill> PlanFill(const FNeededSceneTexture& Needed) const;
@@ -117,6 +128,7 @@ private:
 	void Fill(const FFill& Fill, const FScenePackContext& Context);
 	std::vector<FSceneRegion> GetRegions() const;
 
+	std::deque<FOwnTexture> OwnTextures; // never moved
 	const FConfigScene& Config;
 	FImageFile File;
 	FSceneCache* const Cache;

@@ -4,10 +4,12 @@
 
 #include "Math/ToInteger.h"
 #include "SceneFile/SceneCamera.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Drydock
 {
@@ -138,6 +140,30 @@ const FScenePacking* FindScenePacking(const std::string& Texture)
 	const std::vector<FScenePacking>& Packings = GetScenePackings();
 	const auto Found = std::ranges::find(Packings, Texture, &FScenePacking::Name);
 	return Found == Packings.end() ? nullptr : &*Found;
+}
+
+FScenePacking MakeOwnScenePacking(const std::string& Texture, const std::vector<std::string>& Channels)
+{
+	constexpr EPixelFormat Formats[] = {PF_R32_FLOAT, PF_G32R32F, PF_A32B32G32R32F, PF_A32B32G32R32F};
+	check(!Channels.empty() && Channels.size() <= std::size(Formats));
+	FScenePacking Packing = {
+		Texture.c_str(), Formats[Channels.size() - 1], Read, nullptr, {}, PackAsIs, FLinearColor(NaN, NaN, NaN, NaN)};
+	for (size_t Slot = 0; Slot < Channels.size(); ++Slot)
+	{
+		Packing.Channels[Slot].Name = Channels[Slot].c_str();
+	}
+	return Packing;
+}
+
+std::vector<std::string> SplitChannelNames(const std::string& Names)
+{
+	std::vector<std::string> Split;
+	std::istringstream Stream(Names);
+	for (std::string Name; std::getline(Stream, Name, ',');)
+	{
+		Split.push_back(Trim(Name));
+	}
+	return Split;
 }
 
 const std::vector<std::string>& GetSceneChannelNames()

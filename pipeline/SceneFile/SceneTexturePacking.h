@@ -54,6 +54,13 @@ DRYDOCK_API const std::vector<FScenePacking>& GetScenePackings();
 /** Null when there is none of this name. */
 DRYDOCK_API const FScenePacking* FindScenePacking(const std::string& Texture);
 
+/** The packing of a texture of the file's own channels, one to four, as they stand: 32-bit floats. The strings must
+ * outlive it. */
+DRYDOCK_API FScenePacking MakeOwnScenePacking(const std::string& Texture, const std::vector<std::string>& Channels);
+
+/** The channels that a value of scene.textures names, without blanks. */
+DRYDOCK_API std::vector<std::string> SplitChannelNames(const std::string& Names);
+
 /** Every channel that a scene can have, by the names that passes know. */
 DRYDOCK_API const std::vector<std::string>& GetSceneChannelNames();
 

@@ -31,8 +31,8 @@ const std::map<std::string, FSteps> GRooms = {
 				   {"Native"}, {"Overlay"}}},
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Patch"},
 					 {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
-					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards"},
-					 {"Matrix", "Report"}, {"Program"}}},
+					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards"}, {"Matrix", "Report"},
+					 {"Program"}}},
 };
 
 /** The storey that a path from the root begins with. */

@@ -38,6 +38,7 @@ const std::map<std::string, std::pair<std::string, int>> Mistakes = {
 	{"settings plan", {"NoSuchSettng", 2}},
 	{"import", {"no_such.exr --out new.exr", 3}},
 	{"new", {"1stPatch", 2}},
+	{"overlay diff", {"no_such_folder", 2}},
 	{"build", {"no_such_folder", 2}},
 	{"matrix", {"no_such_folder", 2}},
 };

@@ -10,6 +10,7 @@
 #include "ScreenPass.h"
 #include "ShaderCompilation.h"
 #include "ShaderCore.h"
+#include "ShaderDirectories.h"
 #include "ShaderSource.h"
 #include "Study/StudyRun.h"
 
@@ -70,13 +71,15 @@ public:
 		}
 		AddShaderSourceDirectoryMapping(TEXT("/Engine"), FString((Folder / "rdg/graph/Shaders/Engine").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Engine/Private"), FString((Folder / "passes/Shaders").string()));
+		AddShaderSourceDirectoryMapping(
+			TEXT("/Drydock/Private"), FString((Folder / "passes/Shaders/Drydock").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Project"), FString((Folder / "passes/Shaders").string()));
 		ForgetShaders();
 	}
 
 	~FCopiedShaders()
 	{
-		ResetAllShaderSourceDirectoryMappings();
+		ForgetShaderDirectories(NumDirectories);
 		ForgetShaders();
 		fs::remove_all(Folder);
 	}
@@ -98,6 +101,7 @@ public:
 	}
 
 private:
+	const size_t NumDirectories = AllShaderSourceDirectoryMappings().Num() > 0 ? CountShaderDirectories() : 0;
 	const fs::path Folder = fs::path(testing::TempDir()) / ("drydock_edited_" + std::to_string(getpid()));
 };
 

@@ -24,11 +24,8 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER(float, BloomThreshold)
 END_SHADER_PARAMETER_STRUCT()
 
-FBloomSetupParameters GetBloomSetupParameters(
-	FRDGBuilder& GraphBuilder,
-	const FViewInfo& View,
-	const FScreenPassTextureViewport& InputViewport,
-	const FBloomSetupInputs& Inputs)
+FBloomSetupParameters GetBloomSetupParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+	const FScreenPassTextureViewport& InputViewport, const FBloomSetupInputs& Inputs)
 {
 	FRHISamplerState* BilinearClampSampler = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
@@ -114,9 +111,9 @@ FScreenPassTexture AddBloomSetupPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	const FScreenPassTextureViewport Viewport(Inputs.SceneColor);
 	const FBloomSetupParameters SetupParameters = GetBloomSetupParameters(GraphBuilder, View, Viewport, Inputs);
 	const FScreenTransform SvPositionToInputTextureUV =
-		FScreenTransform::SvPositionToViewportUV(Output.ViewRect) *
-		FScreenTransform::ChangeTextureBasisFromTo(
-			Viewport, FScreenTransform::ETextureBasis::ViewportUV, FScreenTransform::ETextureBasis::TextureUV);
+		FScreenTransform::SvPositionToViewportUV(Output.ViewRect) * FScreenTransform::ChangeTextureBasisFromTo(Viewport,
+																		FScreenTransform::ETextureBasis::ViewportUV,
+																		FScreenTransform::ETextureBasis::TextureUV);
 
 	FBloomSetupPermutation PermutationVector;
 	PermutationVector.Set<FLocalExposureDim>(Inputs.LocalExposureTexture != nullptr);

@@ -1,5 +1,5 @@
-// The block of the engine's PostProcessing.cpp that adds the bloom setup. drydock takes the block alone, wherever it stands
-// in this file; the variables around it are the engine's.
+// The block of the engine's PostProcessing.cpp that adds the bloom setup. drydock takes the block alone, wherever it
+// stands in this file; the variables around it are the engine's.
 #include "PostProcess/PostProcessBloomSetup.h"
 #include "PostProcess/PostProcessing.h"
 
@@ -14,7 +14,8 @@ void AddPostProcessingPasses()
 		SetupPassInputs.EyeAdaptationBuffer = EyeAdaptationBuffer;
 		SetupPassInputs.EyeAdaptationParameters = &EyeAdaptationParameters;
 		SetupPassInputs.LocalExposureParameters = &LocalExposureParameters;
-		SetupPassInputs.LocalExposureTexture = CVarBloomApplyLocalExposure.GetValueOnRenderThread() ? LocalExposureTexture : nullptr;
+		SetupPassInputs.LocalExposureTexture =
+			CVarBloomApplyLocalExposure.GetValueOnRenderThread() ? LocalExposureTexture : nullptr;
 		SetupPassInputs.BlurredLogLuminanceTexture = LocalExposureBlurredLogLumTexture;
 		SetupPassInputs.Threshold = BloomThreshold;
 
