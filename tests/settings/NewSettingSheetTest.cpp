@@ -165,7 +165,7 @@ TEST(SettingPlan, SeveralSettingsShareTheirPlaces)
 			Files.push_back(Place.File);
 		}
 	}
-	EXPECT_EQ(9u, Files.size()); // three of the settings, three of the bloom setup and its chain, three of the new pass
+	EXPECT_EQ(10u, Files.size()); // three of the settings, four of the bloom setup and its chain, three of the new pass
 }
 
 TEST(SettingPlan, TheThreeSwitchesOfBloomAreNamed)
