@@ -9,7 +9,6 @@
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
-#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
@@ -173,8 +172,7 @@ std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 					  ": add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)";
 		}
 	}
-	const std::string Graph = AdviseOnCompositionGraph(JoinText(Errors));
-	return Advice + (Graph.empty() ? "" : "\n  " + Graph);
+	return Advice;
 }
 
 /** The errors among the output of the compiler and the linker. */
@@ -196,7 +194,10 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	}
 	const std::string More =
 		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	return Errors + More + AdviseOnMissingNames(Said) + "\n  full log: " + LogFile;
+	// g++ names a base class that is a template in the source line that it quotes, not in the error.
+	const std::string Graph = AdviseOnCompositionGraph(Output);
+	return Errors + More + AdviseOnMissingNames(Said) + (Graph.empty() ? "" : "\n  " + Graph) +
+		   "\n  full log: " + LogFile;
 }
 
 /** CMake's own message, without its decoration. */

@@ -44,9 +44,12 @@ std::map<std::string, std::string> FindFiles(const std::string& Page)
 	const std::string Mark = "`:\n\n```";
 	for (size_t At = Text.find(Mark); At != Text.npos; At = Text.find(Mark, At + 1))
 	{
-		const size_t Name = Text.rfind("\n`", At) + 2;
+		const size_t Line = Text.rfind('\n', At) + 1;
 		const size_t First = Text.find('\n', At + Mark.size()) + 1;
-		Files[Text.substr(Name, At - Name)] = Text.substr(First, Text.find("```", First) - First);
+		if (Text[Line] == '`')
+		{
+			Files[Text.substr(Line + 1, At - Line - 1)] = Text.substr(First, Text.find("```", First) - First);
+		}
 	}
 	return Files;
 }
