@@ -4,6 +4,7 @@
 #include "Blur/KernelAudit.h"
 #include "GlobalShader.h"
 #include "HAL/IConsoleManager.h"
+#include "PassFunctions.h"
 #include "PixelShaderUtils.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
@@ -343,7 +344,7 @@ FScreenPassTexture AddREDPostProcessPass(
 	return FScreenPassTexture(Output.Texture, Output.ViewRect);
 }
 
-FScreenPassTexture AddREDPostProcessPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+FScreenPassTexture BuiltInAddREDPostProcessPasses(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTexture& SceneColor, const FREDPostProcessParameters& Parameters,
 	const FScreenPassRenderTarget& OverrideOutput)
 {

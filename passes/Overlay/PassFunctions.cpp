@@ -10,6 +10,7 @@
 #include "Exposure/PostProcessLocalExposure.h"
 #include "Lens/DiaphragmDOF.h"
 #include "Lens/PostProcessMotionBlur.h"
+#include "Lens/REDPostProcess.h"
 #include "Screen/PostProcessAA.h"
 #include "Screen/PostProcessDownsample.h"
 #include "Screen/PostProcessUpscale.h"

@@ -34,6 +34,8 @@ struct FPhysicalCocModel;
 namespace Drydock
 {
 
+struct FREDPostProcessParameters;
+
 // drydock's own passes: BuiltInAddBloomSetupPass, ...
 #define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Inputs, Members) \
 	Result BuiltIn##Function(FRDGBuilder& GraphBuilder, const FViewInfo& View, const Inputs& PassInputs);

@@ -47,4 +47,7 @@ DRYDOCK_PASS(FRDGTextureRef, , AddCombineLUTPass, "PostProcess/PostProcessCombin
 DRYDOCK_PASS(FScreenPassTexture, DiaphragmDOF::, AddPasses, "PostProcess/DiaphragmDOF.h", "DiaphragmDOF.usf",
 	(FRDGBuilder& GraphBuilder, const FViewInfo& View, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor, const DiaphragmDOF::FPhysicalCocModel& Model, const DiaphragmDOF::FBokehModel& Bokeh),
 	(GraphBuilder, View, SceneTextures, SceneColor, Model, Bokeh))
+DRYDOCK_PASS(FScreenPassTexture, Drydock::, AddREDPostProcessPasses, "Lens/REDPostProcess.h", "REDPostProcess.usf",
+	(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FScreenPassTexture& SceneColor, const Drydock::FREDPostProcessParameters& Parameters, const FScreenPassRenderTarget& OverrideOutput),
+	(GraphBuilder, View, SceneColor, Parameters, OverrideOutput))
 // clang-format on

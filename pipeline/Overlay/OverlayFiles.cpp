@@ -29,10 +29,12 @@ const std::string PrivateShaders = "Engine/Shaders/Private/";
 /** "BloomSetup" of AddBloomSetupPass, "DiaphragmDOF" of DiaphragmDOF::AddPasses. */
 std::string GetShortName(std::string_view Function)
 {
-	if (const size_t Scope = Function.find("::"); Scope != Function.npos)
+	const size_t Scope = Function.find("::");
+	if (Scope != Function.npos && !Function.starts_with("Drydock::"))
 	{
 		return std::string(Function.substr(0, Scope));
 	}
+	Function.remove_prefix(Scope == Function.npos ? 0 : Scope + 2);
 	Function.remove_prefix(std::string_view("Add").size());
 	for (const std::string_view End : {"Passes", "Pass"})
 	{

@@ -90,7 +90,10 @@ TEST(PassFunctions, TheTableHasEveryPassOfTheEnginesName)
 	std::set<std::string> Listed;
 	for (const FPassFunction& Pass : GetPassFunctions())
 	{
-		Listed.insert(Pass.Name);
+		if (!std::string_view(Pass.Name).starts_with("Drydock::")) // an article's
+		{
+			Listed.insert(Pass.Name);
+		}
 	}
 	EXPECT_EQ(Declared, Listed);
 }

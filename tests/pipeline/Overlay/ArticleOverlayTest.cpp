@@ -61,6 +61,11 @@ TEST(ArticleOverlay, ToonBloomPastesAndHasTheBitsOfTheAsPrintedForm)
 				"float BloomThreshold;\n" + FindBlock(Blocks, {"float ToonIntensity;"}));
 		});
 
+	// The setting is there already, so these change nothing; they are read all the same.
+	Folder.Write("Toon/" + SceneHeader, FindBlock(Blocks, {"uint8 bOverride_BloomToonIntensity:1;"}));
+	Folder.Write("Toon/" + SceneSource, FindBlock(Blocks, {"ExportToPostProcessSettings"}));
+	Folder.Write("Toon/" + SceneView, FindBlock(Blocks, {"LERP_PP(BloomToonIntensity)"}));
+
 	const std::string Run = "run " DRYDOCK_TEST_SOURCE_DIR "/configs/toon_bloom.json --pp BloomThreshold=0.5 ";
 	std::string Last;
 	for (const std::string Factor : {"0.1", "1", "3"})
