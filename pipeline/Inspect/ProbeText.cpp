@@ -6,6 +6,8 @@
 #include "Text/JsonWriter.h"
 
 #include <algorithm>
+#include <functional>
+#include <ranges>
 
 namespace Drydock
 {

@@ -242,4 +242,19 @@ FOverlayDifference CompareOverlay(const FOverlayFolder& Folder)
 	return Difference;
 }
 
+std::string FormatHunks(const std::vector<FOverlayHunk>& Hunks)
+{
+	std::string Text;
+	std::string File;
+	for (const FOverlayHunk& Hunk : Hunks)
+	{
+		Text += Hunk.File != File ? "--- " + Hunk.File + "\n+++ " + Hunk.File + "\n" : "";
+		File = Hunk.File;
+		Text += "@@ " + (Hunk.Function.empty() ? "outside of functions" : Hunk.Function) + " @@" +
+				(Hunk.bOwn ? " # touches something of drydock's own, which the engine does not have" : "") + "\n" +
+				Hunk.Lines;
+	}
+	return Text;
+}
+
 } // namespace Drydock

@@ -27,6 +27,9 @@ struct FOverlayHunk
 	bool bOwn = false;    // it touches something of drydock's own
 };
 
+/** As a unified diff without line numbers: each file's name once, the function's name in the head of a hunk. */
+DRYDOCK_API std::string FormatHunks(const std::vector<FOverlayHunk>& Hunks);
+
 struct FOverlayDifference
 {
 	std::vector<FOverlayHunk> Hunks;

@@ -3,6 +3,7 @@
 
 #include "Overlay/CppText.h"
 #include "Overlay/OverlayErrors.h"
+#include "Patch/PluginBuild.h"
 #include "TextTools.h"
 #include "Text/TextFile.h"
 
@@ -122,6 +123,12 @@ private:
 			}
 			Found->second = Bytes.Bytes.value_or("");
 			Folder.Read.push_back(Absolute(File));
+			const std::string Code = BlankComments(Found->second);
+			if (const std::string Advice = AdviseOnCompositionGraph(Code); !Advice.empty())
+			{
+				Fail(ErrorOverlayFolder, Absolute(File), GetLineOf(Code, Code.find(Advice.substr(0, Advice.find(' ')))),
+					Advice);
+			}
 		}
 		return Found->second;
 	}

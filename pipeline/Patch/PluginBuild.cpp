@@ -194,7 +194,10 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	}
 	const std::string More =
 		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	return Errors + More + AdviseOnMissingNames(Said) + "\n  full log: " + LogFile;
+	// g++ names a base class that is a template in the source line that it quotes, not in the error.
+	const std::string Graph = AdviseOnCompositionGraph(Output);
+	return Errors + More + AdviseOnMissingNames(Said) + (Graph.empty() ? "" : "\n  " + Graph) +
+		   "\n  full log: " + LogFile;
 }
 
 /** CMake's own message, without its decoration. */
@@ -295,6 +298,21 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 }
 
 } // namespace
+
+std::string AdviseOnCompositionGraph(const std::string& Text)
+{
+	for (const char* const Name : {"TRenderingCompositePassBase", "FRenderingCompositePass", "FPostprocessContext"})
+	{
+		if (Text.find(Name) != Text.npos)
+		{
+			return std::string(Name) +
+				   " belongs to UE4's composition graph, which Unreal 5 does not have: write a function that adds the "
+				   "pass with an FRDGBuilder and takes and returns an FScreenPassTexture, as in "
+				   "docs/articles/red-post-process.md";
+		}
+	}
+	return "";
+}
 
 int FindEngineMinor(const std::string& Folder)
 {

@@ -60,15 +60,7 @@ std::string MakeDifferenceText(
 	const std::string Target = Engine.empty() ? "the engine" : "engine " + Engine;
 	std::string Text = "# " + Folder.Name + ", for " + Target +
 					   ". Carry each hunk over by hand: drydock's text of these files is not the engine's.\n";
-	std::string File;
-	for (const FOverlayHunk& Hunk : Difference.Hunks)
-	{
-		Text += Hunk.File != File ? "--- " + Hunk.File + "\n+++ " + Hunk.File + "\n" : "";
-		File = Hunk.File;
-		Text += "@@ " + (Hunk.Function.empty() ? "outside of functions" : Hunk.Function) + " @@" +
-				(Hunk.bOwn ? " # touches something of drydock's own, which the engine does not have" : "") + "\n" +
-				Hunk.Lines;
-	}
+	Text += FormatHunks(Difference.Hunks);
 	for (const std::string& New : Difference.NewFiles)
 	{
 		Text += "# " + New + ": drydock has no text of this file to compare it with\n";

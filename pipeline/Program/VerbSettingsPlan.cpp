@@ -1,13 +1,19 @@
-// `drydock settings plan`: prints every place that an engine patch for one setting touches.
+// `drydock settings plan`: prints every place that an engine patch for some settings touches.
 #include "NewSettingSheet.h"
+#include "Overlay/OverlayFiles.h"
 #include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
 #include "Text/ConfigErrors.h"
+#include "Text/GlobPattern.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
+#include "TextTools.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 
 namespace Drydock
 {
@@ -17,28 +23,29 @@ namespace
 
 struct FSettingsPlanOptions
 {
-	std::string Name;
-	std::string Type;     // of a setting that the table does not have; empty: the table has it
-	std::string Default;  // of such a setting; empty: the plan chooses
-	std::string Category; // of such a setting; empty: the plan chooses
-	std::string Doc;      // of such a setting; empty: the plan chooses
+	std::vector<std::string> Names; // or patterns
+	std::string Type;               // of settings that the table does not have; empty: the table has all
+	std::string Default;            // of such settings; empty: the plan chooses
+	std::string Category;           // of such settings; empty: the plan chooses
+	std::string Doc;                // of such settings; empty: the plan chooses
+	std::string Form = "corrected";
+	std::string DiffFile; // empty: none is written
 	bool bJson = false;
 };
 
-/** From the table, or from the arguments where the table does not have it. */
-FNewSetting FindSetting(const FSettingsPlanOptions& Options)
+FNewSetting MakeSetting(const std::string& Name, const FSettingsPlanOptions& Options)
 {
-	if (const FSettingField* Field = FindSettingField(Options.Name))
+	if (Name.find_first_of("*?") != Name.npos)
 	{
-		return DescribeNewSetting(*Field);
+		throw BadArgument("no setting fits " + Name + "; `drydock list settings` prints their names");
 	}
 	if (Options.Type.empty())
 	{
-		throw BadArgument("there is no setting " + Options.Name + SuggestName(Options.Name, GetSettingNames()) +
+		throw BadArgument("there is no setting " + Name + SuggestName(Name, GetSettingNames()) +
 						  " For a new one give its type, such as --type float --default 0");
 	}
 	std::string Error;
-	std::optional<FNewSetting> Setting = MakeNewSetting(Options.Name, Options.Type, Options.Default, Error);
+	std::optional<FNewSetting> Setting = MakeNewSetting(Name, Options.Type, Options.Default, Error);
 	if (!Setting)
 	{
 		throw BadArgument(Error);
@@ -46,6 +53,53 @@ FNewSetting FindSetting(const FSettingsPlanOptions& Options)
 	Setting->Category = Options.Category.empty() ? Setting->Category : Options.Category;
 	Setting->Doc = Options.Doc.empty() ? Setting->Doc : Options.Doc;
 	return *Setting;
+}
+
+/** Those of the table that a name fits; from the arguments where the table has none. Each is there once. */
+std::vector<FNewSetting> FindSettings(const FSettingsPlanOptions& Options)
+{
+	std::vector<FNewSetting> Settings;
+	const auto Add = [&](const FNewSetting& Setting)
+	{
+		if (std::ranges::find(Settings, Setting.Name, &FNewSetting::Name) == Settings.end())
+		{
+			Settings.push_back(Setting);
+		}
+	};
+	for (const std::string& Name : Options.Names)
+	{
+		bool bFound = false;
+		for (const FSettingField& Field : GetSettingFields())
+		{
+			if (MatchesPattern(Name, Field.Name))
+			{
+				bFound = true;
+				Add(DescribeNewSetting(Field));
+			}
+		}
+		if (!bFound)
+		{
+			Add(MakeSetting(Name, Options));
+		}
+	}
+	return Settings;
+}
+
+/** The plan's lines as `drydock overlay diff` prints changes. */
+std::string MakePlanDiff(const FSettingsPlanOptions& Options, const std::vector<FSettingPlace>& Places)
+{
+	std::vector<FOverlayHunk> Hunks;
+	for (const FSettingPlace& Place : Places)
+	{
+		FOverlayHunk& Hunk = Hunks.emplace_back(FOverlayHunk{Place.File, Place.Where, "", false});
+		std::istringstream Lines(Place.Text);
+		for (std::string Line; std::getline(Lines, Line);)
+		{
+			Hunk.Lines += "+" + Line + "\n";
+		}
+	}
+	return "# " + JoinText(Options.Names, " ") +
+		   ": lines to add, without lines around them, which are the engine's.\n" + FormatHunks(Hunks);
 }
 
 std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
@@ -64,20 +118,32 @@ std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
 
 int PrintPlan(const FSettingsPlanOptions& Options)
 {
-	const FNewSetting Setting = FindSetting(Options);
-	const std::string Text = Options.bJson ? MakePlanJson(MakeSettingPlan(Setting)) : FormatSettingPlan(Setting);
-	PrintText(stdout, Text);
+	const std::vector<FNewSetting> Settings = FindSettings(Options);
+	const ESettingPlanForm Form = Options.Form == "printed" ? ESettingPlanForm::Printed : ESettingPlanForm::Corrected;
+	const std::vector<FSettingPlace> Places = MakeSettingPlan(Settings, Form);
+	if (!Options.DiffFile.empty())
+	{
+		WriteTextFile(Options.DiffFile, MakePlanDiff(Options, Places));
+	}
+	PrintText(stdout, Options.bJson ? MakePlanJson(Places) : FormatSettingPlan(Settings, Form));
 	return ExitDone;
 }
 
 FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsPlanOptions>();
-	Verb.Add("SETTING", Options->Name, "Name of the setting, such as BloomToonIntensity").Require();
-	Verb.Add("--type", Options->Type, "Type of a new setting: float, bool, int, color, ...").SetType("TYPE");
-	Verb.Add("--default", Options->Default, "Default value of a new setting (0)").SetType("VALUE");
-	Verb.Add("--category", Options->Category, "Category of a new setting").SetType("A|B");
-	Verb.Add("--doc", Options->Doc, "Description of a new setting").SetType("TEXT");
+	Verb.Add("SETTING", Options->Names, "Names of settings, such as BloomToonIntensity, or patterns with * and ?")
+		.Require();
+	Verb.Add("--type", Options->Type, "Type of new settings: float, bool, int, color, ...").SetType("TYPE");
+	Verb.Add("--default", Options->Default, "Default value of new settings (0)").SetType("VALUE");
+	Verb.Add("--category", Options->Category, "Category of new settings").SetType("A|B");
+	Verb.Add("--doc", Options->Doc, "Description of new settings").SetType("TEXT");
+	Verb.Add("--form", Options->Form,
+			"Mask of a strength of bloom: by full-resolution pixels (corrected, the default), or as the article prints "
+			"it")
+		.RequireOneOf({"corrected", "printed"});
+	Verb.Add("--diff", Options->DiffFile, "Write the lines to this file too, as `drydock overlay diff` prints changes")
+		.SetType("FILE");
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
 	return CallWith(Options, PrintPlan);
 }
@@ -86,7 +152,7 @@ const FVerbRegistration GSettingsPlanRegistration({
 	.Name = "settings plan",
 	.Place = 103,
 	.Group = EVerbGroup::LookUp,
-	.Doc = "List every place that an engine patch for one setting changes",
+	.Doc = "List every place that an engine patch for settings changes",
 	.AddOptions = AddSettingsPlanOptions,
 });
 

@@ -1,4 +1,4 @@
-// Fills SettingPlaces.txt in for one setting.
+// Fills SettingPlaces.txt in for some settings.
 #include "NewSettingSheet.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ std::string MakeDoc(const std::string& Doc)
 /** Words for the brackets of the table, and texts for its braces. */
 struct FSettingWords
 {
-	explicit FSettingWords(const FNewSetting& Setting)
+	FSettingWords(const FNewSetting& Setting, ESettingPlanForm Form)
 	{
 		const FTwinStruct* const Twin = FindTwinStruct(Setting.Name);
 		// The engine's switches for bloom set to 0 what multiplies the bloom. A strength of bloom that the engine does
@@ -108,7 +108,8 @@ struct FSettingWords
 		const bool bListed = Setting.Blend == ESettingBlend::Accumulate || Setting.Blend == ESettingBlend::LUT;
 		Conditions = {bListed ? "Listed" : ToString(Setting.Blend), Setting.NumElements > 1 ? "Array" : "",
 			Twin != nullptr ? "Twin" : "", Twin != nullptr && Twin->bChecked ? "CheckedTwin" : "",
-			bSwitchedOff ? "SwitchedOff" : "", bBloom ? "Bloom" : "", bBloom && bSwitchedOff && bOwn ? "Marked" : ""};
+			bSwitchedOff ? "SwitchedOff" : "", bBloom ? "Bloom" : "", bBloom && bSwitchedOff && bOwn ? "Marked" : "",
+			Form == ESettingPlanForm::Printed ? "Printed" : "Corrected"};
 		const std::string TwinName = Twin == nullptr ? Setting.Name : GetTwinName(Setting.Name, *Twin);
 		Texts = {{"Name", Setting.Name}, {"Override", Setting.OverrideName}, {"Category", Setting.Category},
 			{"Doc", MakeDoc(Setting.Doc)}, {"Meta", FormatMeta(Setting)}, {"Display", GetDisplayName(Setting.Name)},
@@ -177,14 +178,22 @@ private:
 	std::map<std::string, std::string> Texts;
 };
 
-} // namespace
+/** Places by their number in the table and where they are. */
+using FPlacesByNumber = std::map<std::pair<int, std::string>, FSettingPlace>;
 
-std::vector<FSettingPlace> MakeSettingPlan(const FNewSetting& Setting)
+/** Adds the text behind a separator, unless the whole has it. */
+void AddOnce(std::string& Whole, const std::string& Text, const char* Separator)
 {
-	const FSettingWords Words(Setting);
-	std::vector<FSettingPlace> Places;
+	Whole += Whole.find(Text) != Whole.npos ? "" : (Whole.empty() ? "" : Separator) + Text;
+}
+
+void AddPlaces(const FSettingWords& Words, FPlacesByNumber& Places)
+{
 	std::istringstream Lines(PlacesText);
+	int Number = 0;
 	bool bPlaceFits = false;
+	std::string File;
+	FSettingPlace* Place = nullptr;
 	for (std::string Line; std::getline(Lines, Line);)
 	{
 		const size_t End = Line.starts_with('[') ? Line.find("] ") : std::string::npos;
@@ -192,30 +201,64 @@ std::vector<FSettingPlace> MakeSettingPlan(const FNewSetting& Setting)
 		Line = End == std::string::npos ? Line : Line.substr(End + 2);
 		const std::string Kind = Line.substr(0, Line.find(' '));
 		const std::string Text = Words.FillIn(Line.substr(std::min(Kind.size() + 1, Line.size())));
-		if (Kind == "file" && (bPlaceFits = bFits))
+		if (Kind == "file")
 		{
-			Places.push_back({Text, "", "", ""});
+			++Number;
+			bPlaceFits = bFits;
+			File = Text;
 		}
-		else if (Kind != "file" && bPlaceFits && bFits)
+		else if (Kind == "where" && bPlaceFits)
 		{
-			FSettingPlace& Place = Places.back();
-			Place.Where += Kind == "where" ? Text : "";
-			Place.Why += Kind == "why" ? Text : "";
-			Place.Text += Kind == "|" ? (Place.Text.empty() ? "" : "\n") + Text : "";
+			Place = &Places[{Number, Text}];
+			Place->File = File;
+			Place->Where = Text;
+		}
+		else if (bPlaceFits && bFits && Kind == "|")
+		{
+			Place->Text += (Place->Text.empty() ? "" : "\n") + Text;
+		}
+		else if (bPlaceFits && bFits && !Kind.empty())
+		{
+			AddOnce(Kind == "why" ? Place->Why : Place->Text, Text, Kind == "why" ? " " : "\n");
 		}
 	}
-	return Places;
 }
 
-std::string FormatSettingPlan(const FNewSetting& Setting)
+} // namespace
+
+std::vector<FSettingPlace> MakeSettingPlan(const std::vector<FNewSetting>& Settings, ESettingPlanForm Form)
 {
-	std::string Text = Setting.Name + ": " + Setting.Type + ", default " + Setting.Default + ", " + Setting.Category +
-					   ", blends by " + ToString(Setting.Blend) + "\n";
-	Text += Setting.bInTable ? ""
-							 : "In drydock it is one line of settings/Table/PostProcessSettingsTable.h:\n\n    " +
-								   MakeTableLine(Setting) + "\n\nIn the engine:\n";
+	FPlacesByNumber Places;
+	for (const FNewSetting& Setting : Settings)
+	{
+		AddPlaces(FSettingWords(Setting, Form), Places);
+	}
+	std::vector<FSettingPlace> Plan;
+	for (const auto& [Number, Place] : Places)
+	{
+		const auto Last = std::find_if(
+			Plan.rbegin(), Plan.rend(), [&](const FSettingPlace& Other) { return Other.File == Place.File; });
+		Plan.insert(Last == Plan.rend() ? Plan.end() : Last.base(), Place);
+	}
+	return Plan;
+}
+
+std::string FormatSettingPlan(const std::vector<FNewSetting>& Settings, ESettingPlanForm Form)
+{
+	std::string Text;
+	std::string TableLines;
+	for (const FNewSetting& Setting : Settings)
+	{
+		Text += Setting.Name + ": " + Setting.Type + ", default " + Setting.Default + ", " + Setting.Category +
+				", blends by " + ToString(Setting.Blend) + "\n";
+		TableLines += Setting.bInTable ? "" : "    " + MakeTableLine(Setting) + "\n";
+	}
+	Text += TableLines.empty() ? ""
+							   : "In drydock each new setting is one line of settings/Table/"
+								 "PostProcessSettingsTable.h:\n\n" +
+									 TableLines + "\nIn the engine:\n";
 	int Number = 0;
-	for (const FSettingPlace& Place : MakeSettingPlan(Setting))
+	for (const FSettingPlace& Place : MakeSettingPlan(Settings, Form))
 	{
 		Text += "\n" + std::to_string(++Number) + ". " + Place.File + "\n   " + Place.Where + "\n";
 		Text += Place.Why.empty() ? "" : "   (" + Place.Why + ")\n";

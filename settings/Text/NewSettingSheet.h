@@ -5,6 +5,7 @@
 
 #include "NewSetting.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,20 @@ struct FSettingPlace
 	std::string Why;   // what happens without it; may be empty
 };
 
-/** In the order of the engine's data flow: declaration, default, blending, switching off, pass, shader. */
-DRYDOCK_API std::vector<FSettingPlace> MakeSettingPlan(const FNewSetting& Setting);
+/** How the bloom setup masks what a strength of bloom is for. */
+enum class ESettingPlanForm : uint8_t
+{
+	Corrected, // each full-resolution pixel has its own id
+	Printed    // as the article on toon bloom has it: one id for a half-resolution pixel
+};
+
+/** Each place once, with the lines of all settings. Files stand in the order of the engine's data flow: declaration,
+ * default, blending, switching off, pass, shader. */
+DRYDOCK_API std::vector<FSettingPlace> MakeSettingPlan(
+	const std::vector<FNewSetting>& Settings, ESettingPlanForm Form = ESettingPlanForm::Corrected);
 
 /** The plan to read: numbered places with their text. */
-DRYDOCK_API std::string FormatSettingPlan(const FNewSetting& Setting);
+DRYDOCK_API std::string FormatSettingPlan(
+	const std::vector<FNewSetting>& Settings, ESettingPlanForm Form = ESettingPlanForm::Corrected);
 
 } // namespace Drydock

@@ -13,7 +13,7 @@ namespace
 
 std::vector<FSettingPlace> PlanOf(const char* Name)
 {
-	return MakeSettingPlan(DescribeNewSetting(*FindSettingField(Name)));
+	return MakeSettingPlan({DescribeNewSetting(*FindSettingField(Name))});
 }
 
 /** "file name: first line" of every place. */
@@ -81,8 +81,8 @@ TEST(SettingPlan, ToonBloomTouchesTheArticlesPlacesInEngineOrder)
 			"PostProcessing.cpp: SetupPassInputs.ToonIntensity = View.FinalPostProcessSettings.BloomToonIntensity;",
 			"PostProcessBloom.usf: #include \"DeferredShadingCommon.ush\"",
 			"PostProcessBloom.usf: }",
-			"PostProcessBloom.usf: OutColor *= GetToonIntensity(UV);",
-			"PostProcessBloom.usf: OutColor *= GetToonIntensity(UV);",
+			"PostProcessBloom.usf: OutColor.rgb *= GetToonIntensity(UV);",
+			"PostProcessBloom.usf: OutColor.rgb *= GetToonIntensity(UV);",
 		}),
 		Summary(PlanOf("BloomToonIntensity")));
 }
@@ -111,18 +111,23 @@ TEST(SettingPlan, ToonBloomBringsTheSceneTexturesFromTheCallToTheBranch)
 	EXPECT_EQ("Parameters.SceneTextures = Inputs.SceneTextures;", First("PostProcessBloomSetup.cpp", "are filled"));
 	EXPECT_EQ("SetupPassInputs.SceneTextures = Inputs.SceneTextures;",
 		First("PostProcessing.cpp", "SetupPassInputs are filled"));
+	const std::vector<FSettingPlace> Printed =
+		MakeSettingPlan({DescribeNewSetting(*FindSettingField("BloomToonIntensity"))}, ESettingPlanForm::Printed);
 	EXPECT_NE(std::string::npos,
-		TextAt(Plan, "PostProcessBloom.usf", "a function")
+		TextAt(Printed, "PostProcessBloom.usf", "a function")
 			.find("GetScreenSpaceData(UV).GBuffer.ShadingModelID == SHADINGMODELID_CLOTH ? ToonIntensity : 1.0f"));
-	EXPECT_EQ("OutColor *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupPS, "));
-	EXPECT_EQ("OutColor *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupCS, "));
+	const std::string Corrected = TextAt(Plan, "PostProcessBloom.usf", "a function");
+	EXPECT_NE(std::string::npos, Corrected.find("bMarked ? Color * ToonIntensity : Color;"));
+	EXPECT_EQ(std::string::npos, Corrected.find("GetScreenSpaceData(UV)"));
+	EXPECT_EQ("OutColor.rgb *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupPS, "));
+	EXPECT_EQ("OutColor.rgb *= GetToonIntensity(UV);", TextAt(Plan, "PostProcessBloom.usf", "BloomSetupCS, "));
 }
 
 TEST(SettingPlan, NewStrengthsOfBloomAreMaskedAndTheEnginesOwnAreNot)
 {
-	const std::string Text = FormatSettingPlan(Make("BloomHairIntensity", "float", "1"));
+	const std::string Text = FormatSettingPlan({Make("BloomHairIntensity", "float", "1")});
 	for (const char* Line : {"HairIntensity = 0;", "SHADER_PARAMETER(float, HairIntensity)", "float HairIntensity;",
-			 "OutColor *= GetHairIntensity(UV);", "SceneTextures = Inputs.SceneTextures;"})
+			 "OutColor.rgb *= GetHairIntensity(UV);", "SceneTextures = Inputs.SceneTextures;"})
 	{
 		EXPECT_NE(std::string::npos, Text.find(Line)) << Line << " is not in\n" << Text;
 	}
@@ -131,9 +136,36 @@ TEST(SettingPlan, NewStrengthsOfBloomAreMaskedAndTheEnginesOwnAreNot)
 	for (const char* Name : {"BloomIntensity", "BloomThreshold", "Bloom1Size", "VignetteIntensity"})
 	{
 		EXPECT_EQ(
-			std::string::npos, FormatSettingPlan(DescribeNewSetting(*FindSettingField(Name))).find("SceneTextures"))
+			std::string::npos, FormatSettingPlan({DescribeNewSetting(*FindSettingField(Name))}).find("SceneTextures"))
 			<< Name;
 	}
+}
+
+TEST(SettingPlan, SeveralSettingsShareTheirPlaces)
+{
+	const FNewSetting Toon = DescribeNewSetting(*FindSettingField("BloomToonIntensity"));
+	const FNewSetting Hair = Make("BloomHairIntensity", "float", "1");
+	const FNewSetting Tint = Make("DuskTint", "color", "1,1,1");
+	const std::vector<FSettingPlace> Plan = MakeSettingPlan({Toon, Hair});
+	EXPECT_EQ(MakeSettingPlan({Toon}).size(), Plan.size());
+	EXPECT_EQ("LERP_PP(BloomToonIntensity);\nLERP_PP(BloomHairIntensity);",
+		TextAt(Plan, "SceneView.cpp", "OverridePostProcessSettings"));
+	EXPECT_EQ(
+		"TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures = nullptr;\nfloat ToonIntensity = 0;\n"
+		"float HairIntensity = 0;",
+		TextAt(Plan, "PostProcessBloomSetup.h", "FBloomSetupInputs"));
+
+	// The pass of the tint has a place in PostProcessing.cpp too: the files stand together all the same.
+	std::vector<std::string> Files;
+	for (const FSettingPlace& Place : MakeSettingPlan({Toon, Tint}))
+	{
+		if (Files.empty() || Files.back() != Place.File)
+		{
+			EXPECT_EQ(0, std::count(Files.begin(), Files.end(), Place.File)) << Place.File;
+			Files.push_back(Place.File);
+		}
+	}
+	EXPECT_EQ(10u, Files.size()); // three of the settings, four of the bloom setup and its chain, three of the new pass
 }
 
 TEST(SettingPlan, TheThreeSwitchesOfBloomAreNamed)
@@ -216,7 +248,7 @@ TEST(SettingPlan, DescriptionIsWithoutTheProjectsRemark)
 TEST_P(SettingPlanOfField, NamesFieldAndBitInEveryStage)
 {
 	const FSettingField& Field = GetSettingFields()[GetParam()];
-	const std::string Text = FormatSettingPlan(DescribeNewSetting(Field));
+	const std::string Text = FormatSettingPlan({DescribeNewSetting(Field)});
 	for (const char* File : {"Scene.h", "Scene.cpp", "SceneView.cpp", "PostProcessing.cpp", ".usf"})
 	{
 		EXPECT_NE(std::string::npos, Text.find(File)) << File;
@@ -232,8 +264,8 @@ TEST(NewSetting, IsOneLineOfTheTable)
 	EXPECT_EQ("DRYDOCK_SETTING(float, BloomSparkle, 0.5f, Anything, \"\", \"Lens|Bloom\", Lerp, \"Effect of "
 			  "BloomSparkle.\")",
 		MakeTableLine(Make("BloomSparkle", "float", "0.5")));
-	EXPECT_NE(
-		std::string::npos, FormatSettingPlan(Make("BloomSparkle", "float", "0.5")).find("PostProcessSettingsTable.h"));
+	EXPECT_NE(std::string::npos,
+		FormatSettingPlan({Make("BloomSparkle", "float", "0.5")}).find("PostProcessSettingsTable.h"));
 }
 
 TEST(NewSetting, LineOfATablesFieldIsTheTables)

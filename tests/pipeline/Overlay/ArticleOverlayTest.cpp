@@ -5,96 +5,24 @@
 #include <gtest/gtest.h>
 
 #include "OverlayTestUtils.h"
-#include "pipeline/ProgramTestUtils.h"
-
-#include <cstdlib>
-#include <functional>
-#include <vector>
+#include "PasteTestUtils.h"
 
 using namespace OverlayTest;
+using namespace PasteTest;
 using ProgramTest::FOutcome;
 using ProgramTest::FProgramFolder;
 
-namespace
-{
-
-namespace Files = std::filesystem;
-
-/** The blocks between ```text and ``` of an article whose file begins with Number. */
-std::vector<std::string> ReadBlocks(const std::string& Folder, const std::string& Number)
-{
-	std::vector<std::string> Blocks;
-	for (const auto& Entry : Files::directory_iterator(Folder))
-	{
-		if (!Entry.path().filename().string().starts_with(Number))
-		{
-			continue;
-		}
-		std::ifstream Stream(Entry.path());
-		const std::string Text(std::istreambuf_iterator<char>(Stream), {});
-		const std::string Begin = "```text\n";
-		for (size_t At = Text.find(Begin); At != Text.npos; At = Text.find(Begin, At + 1))
-		{
-			const size_t First = At + Begin.size();
-			Blocks.push_back(Text.substr(First, Text.find("```", First) - First));
-		}
-	}
-	return Blocks;
-}
-
-/** The last block that holds all of the texts. */
-std::string FindBlock(const std::vector<std::string>& Blocks, const std::vector<std::string>& Texts)
-{
-	for (auto Block = Blocks.rbegin(); Block != Blocks.rend(); ++Block)
-	{
-		if (std::all_of(
-				Texts.begin(), Texts.end(), [&](const std::string& Text) { return Block->find(Text) != Block->npos; }))
-		{
-			return *Block;
-		}
-	}
-	ADD_FAILURE() << "the article has no block with " << Texts[0];
-	return "";
-}
-
-/** From First to the end of Last, which comes after it. */
-std::string Between(const std::string& Text, const std::string& First, const std::string& Last)
-{
-	const size_t Begin = Text.find(First);
-	const size_t End = Begin == Text.npos ? Text.npos : Text.find(Last, Begin);
-	EXPECT_NE(std::string::npos, End) << First << " ... " << Last;
-	return End == Text.npos ? "" : Text.substr(Begin, End + Last.size() - Begin);
-}
-
-void Replace(std::string& Text, const std::string& Old, const std::string& New)
-{
-	const size_t At = Text.find(Old);
-	ASSERT_NE(std::string::npos, At) << Old;
-	Text.replace(At, Old.size(), New);
-}
-
-void Edit(const FProgramFolder& Folder, const std::string& File, const std::function<void(std::string&)>& Change)
-{
-	std::string Text = Folder.Read("Toon/" + File);
-	Change(Text);
-	Folder.Write("Toon/" + File, Text);
-}
-
-} // namespace
-
 TEST(ArticleOverlay, ToonBloomPastesAndHasTheBitsOfTheAsPrintedForm)
 {
-	const char* const Articles = std::getenv("DRYDOCK_ARTICLES");
-	if (Articles == nullptr)
+	const std::vector<std::string> Blocks = ReadArticle("000_", "text");
+	if (Blocks.empty())
 	{
-		GTEST_SKIP() << "DRYDOCK_ARTICLES names no folder of articles";
+		GTEST_SKIP() << "DRYDOCK_ARTICLES names no folder with this article";
 	}
-	const std::vector<std::string> Blocks = ReadBlocks(Articles, "000_");
-	ASSERT_FALSE(Blocks.empty());
 	const FProgramFolder Folder("article_overlay");
 	ASSERT_EQ(0, Folder.Call("overlay new Toon --pass BloomSetup").ExitCode);
 
-	Edit(Folder, Renderer + "PostProcessBloomSetup.h",
+	Edit(Folder, "Toon/" + Renderer + "PostProcessBloomSetup.h",
 		[&](std::string& Text)
 		{
 			const std::string Member = FindBlock(Blocks, {"// [Required]", "float ToonIntensity = 0.0f;"});
@@ -102,7 +30,7 @@ TEST(ArticleOverlay, ToonBloomPastesAndHasTheBitsOfTheAsPrintedForm)
 			Inputs.insert(Inputs.rfind("};"), "\n" + Member);
 			Replace(Text, Between(Text, "struct FBloomSetupInputs", "\n};\n"), Inputs);
 		});
-	Edit(Folder, Renderer + "PostProcessBloomSetup.cpp",
+	Edit(Folder, "Toon/" + Renderer + "PostProcessBloomSetup.cpp",
 		[&](std::string& Text)
 		{
 			const std::string Block = FindBlock(Blocks, {"SHADER_PARAMETER(float, ToonIntensity)"});
@@ -118,13 +46,13 @@ TEST(ArticleOverlay, ToonBloomPastesAndHasTheBitsOfTheAsPrintedForm)
 			Replace(Text, "\tcheck(Inputs.EyeAdaptationBuffer);\n",
 				"\tcheck(Inputs.EyeAdaptationBuffer);\n\t" + Check + "\n");
 		});
-	Edit(Folder, Renderer + "PostProcessing.cpp",
+	Edit(Folder, "Toon/" + Renderer + "PostProcessing.cpp",
 		[&](std::string& Text)
 		{
 			Replace(Text, Between(Text, "\tif (bBloomSetupRequiredEnabled)", "\n\t}\n"),
 				FindBlock(Blocks, {"if (bBloomSetupRequiredEnabled)", "SetupPassInputs.ToonIntensity"}));
 		});
-	Edit(Folder, "Engine/Shaders/Private/PostProcessBloom.usf",
+	Edit(Folder, "Toon/Engine/Shaders/Private/PostProcessBloom.usf",
 		[&](std::string& Text)
 		{
 			Replace(Text, Between(Text, "void BloomSetupPS(", "\n}\n"),

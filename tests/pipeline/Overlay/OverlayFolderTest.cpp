@@ -92,6 +92,17 @@ TEST_F(OverlayFolder, AChainFileNeedsOneBlockOfAPlace)
 	EXPECT_THAT(GetFirst(), testing::FieldsAre(ErrorOverlayPlace, 17, HasSubstr("has 2 blocks")));
 }
 
+TEST_F(OverlayFolder, ClassesOfTheCompositionGraphAreRefused)
+{
+	Folder.Write(Renderer + "Glow.h",
+		"// not as FRenderingCompositePass\n\nclass FGlow : public TRenderingCompositePassBase<1, 1>\n{\n};\n");
+	EXPECT_THAT(GetFirst(),
+		testing::FieldsAre(ErrorOverlayFolder, 3,
+			HasSubstr("TRenderingCompositePassBase belongs to UE4's composition graph, which Unreal 5 does not have: "
+					  "write a function that adds the pass with an FRDGBuilder and takes and returns an "
+					  "FScreenPassTexture")));
+}
+
 TEST_F(OverlayFolder, TextThatEndsInTheMiddleIsRead)
 {
 	for (size_t Length = 0; Length < Block.size(); Length += 7)

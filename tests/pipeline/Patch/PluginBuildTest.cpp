@@ -180,14 +180,18 @@ TEST_F(PluginBuild, MistakesAreNumbered)
 TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
 {
 	const std::string Source = "Plugins/Tint/Source/Tint/Private/Tint.cpp";
-	Write(
-		Source, "#include \"EngineModule.h\"\nvoid F() { GetRendererModule().RegisterPostOpaqueRenderDelegate(0); }\n");
+	Write(Source, "#include \"EngineModule.h\"\nvoid F() { GetRendererModule().RegisterPostOpaqueRenderDelegate(0); }\n"
+				  "struct FGlow : TRenderingCompositePassBase<1, 1>\n{\n};\n");
 	const auto [Number, Message] = Refuse(Describe());
 	EXPECT_EQ(ErrorPluginNotCompiled, Number);
 	EXPECT_THAT(Message, testing::HasSubstr("drydock does not have RegisterPostOpaqueRenderDelegate: add the pass in "
 											"PrePostProcessPass_RenderThread of a view extension"));
+	EXPECT_THAT(
+		Message, testing::HasSubstr("TRenderingCompositePassBase belongs to UE4's composition graph, which Unreal 5 "
+									"does not have: write a function that adds the pass with an FRDGBuilder"));
 	Write(Source, "void F() { Nothing(); }\n");
-	EXPECT_THAT(Refuse(Describe()).second, testing::Not(testing::HasSubstr("drydock does not have")));
+	EXPECT_THAT(Refuse(Describe()).second, testing::Not(testing::AnyOf(testing::HasSubstr("drydock does not have"),
+											   testing::HasSubstr("composition graph"))));
 }
 
 TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)

@@ -1,4 +1,5 @@
 // Engine text to configs and back, as the verbs do it: what is printed is a config's "volumes", and leads back.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "Config/ReadConfig.h"
@@ -6,6 +7,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "SettingObjects.h"
 #include "Text/JsonWriter.h"
+#include "pipeline/ProgramTestUtils.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -365,4 +367,29 @@ TEST_F(SettingsVerb, PlanAsJsonIsAnArrayOfPlaces)
 {
 	Call("plan BloomToonIntensity --json");
 	EXPECT_EQ(0u, Out.find("[\n  {\n    \"file\": \"Engine/Source/")) << Out;
+}
+
+TEST_F(SettingsVerb, PlanOfSettingsAndPatternsShareOnePlanAndOneDiff)
+{
+	const ProgramTest::FProgramFolder Folder("settings_plan");
+	const ProgramTest::FOutcome Plan =
+		Folder.Call("settings plan BloomToonIntensity 'REDDof*Size' DuskTint --type color --diff a.diff");
+	ASSERT_EQ(0, Plan.ExitCode) << Plan.Printed;
+	const std::string SceneView = "Engine/Source/Runtime/Engine/Private/SceneView.cpp";
+	const std::string Diff = Folder.Read("a.diff");
+	for (const std::string Name : {"BloomToonIntensity", "REDDofNearBlurSize", "REDDofFarBlurSize", "DuskTint"})
+	{
+		EXPECT_THAT(Plan.Printed, testing::HasSubstr("LERP_PP(" + Name + ");"));
+		EXPECT_THAT(Diff, testing::HasSubstr("\n+LERP_PP(" + Name + ");\n"));
+	}
+	EXPECT_THAT(Diff, testing::HasSubstr("\n--- " + SceneView + "\n+++ " + SceneView +
+										 "\n@@ FSceneView::OverridePostProcessSettings @@\n+LERP_PP("));
+	EXPECT_EQ(Diff.find("+++ " + SceneView), Diff.rfind("+++ " + SceneView));
+	EXPECT_THAT(Diff, testing::HasSubstr("bMarked ? Color * ToonIntensity : Color;"));
+
+	EXPECT_EQ(0, Folder.Call("settings plan BloomToonIntensity --form printed --diff b.diff").ExitCode);
+	EXPECT_THAT(Folder.Read("b.diff"), testing::HasSubstr("? ToonIntensity : 1.0f;"));
+	const ProgramTest::FOutcome Nothing = Folder.Call("settings plan 'Nowhere*'");
+	EXPECT_EQ(2, Nothing.ExitCode);
+	EXPECT_THAT(Nothing.Printed, testing::HasSubstr("no setting fits Nowhere*"));
 }
