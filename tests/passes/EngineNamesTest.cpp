@@ -98,7 +98,8 @@ TEST(EngineNames, EveryNameBelowEngineIsInTheTable)
 	for (const std::string& File : Files)
 	{
 		EXPECT_TRUE(Rows.contains(File)) << File << ": it belongs below /Drydock, or needs a row";
-		for (const std::string& Name : ListNames(File)[File])
+		const std::set<std::string> Names = ListNames(File)[File];
+		for (const std::string& Name : Names)
 		{
 			// What a .usf defines beside its rows stays in it: the lint reports who uses it.
 			EXPECT_TRUE(File.ends_with(".usf") || Rows["names"].contains(Name) || File.ends_with("/" + Name))
