@@ -68,8 +68,8 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Engine/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FToonBloomCS, "/Engine/Private/PostProcessToonBloom.usf", "MainCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Drydock/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FToonBloomCS, "/Drydock/Private/PostProcessToonBloom.usf", "MainCS", SF_Compute);
 
 struct FToonPassNames
 {

@@ -17,8 +17,8 @@
 namespace Drydock
 {
 
-IMPLEMENT_GLOBAL_SHADER(FFourTapCS, "/Project/FourTapBlur.usf", "FourTapCS", SF_Compute);
-IMPLEMENT_GLOBAL_SHADER(FOneTapCS, "/Project/FourTapBlur.usf", "OneTapCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FFourTapCS, "/Drydock/Private/FourTapBlur.usf", "FourTapCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FOneTapCS, "/Drydock/Private/FourTapBlur.usf", "OneTapCS", SF_Compute);
 
 namespace
 {

@@ -99,9 +99,9 @@ IMPLEMENT_GLOBAL_SHADER(
 
 FRDGBufferRef CreateBuffer(FRDGBuilder& GraphBuilder, const FVector4f& Entry)
 {
-	const FVector4f Entries[GEyeAdaptationBufferEntries] = {Entry, FVector4f(1.0f, 0.0f, 0.0f, 0.0f)};
-	return CreateStructuredBuffer(
-		GraphBuilder, TEXT("EyeAdaptation"), sizeof(FVector4f), GEyeAdaptationBufferEntries, Entries, sizeof(Entries));
+	const FVector4f Entries[Drydock::GEyeAdaptationBufferEntries] = {Entry, FVector4f(1.0f, 0.0f, 0.0f, 0.0f)};
+	return CreateStructuredBuffer(GraphBuilder, TEXT("EyeAdaptation"), sizeof(FVector4f),
+		Drydock::GEyeAdaptationBufferEntries, Entries, sizeof(Entries));
 }
 
 FAdaptationParameters MakeAdaptationParameters(
@@ -125,7 +125,8 @@ FAdaptationParameters MakeAdaptationParameters(
 FRDGBufferRef CreateOutput(FRDGBuilder& GraphBuilder)
 {
 	return GraphBuilder.CreateBuffer(
-		FRDGBufferDesc::CreateStructuredDesc(sizeof(FVector4f), GEyeAdaptationBufferEntries), TEXT("EyeAdaptation"));
+		FRDGBufferDesc::CreateStructuredDesc(sizeof(FVector4f), Drydock::GEyeAdaptationBufferEntries),
+		TEXT("EyeAdaptation"));
 }
 
 } // namespace

@@ -23,12 +23,12 @@
 class FRDGBuilder;
 class FViewInfo;
 
+namespace Drydock
+{
+
 /** Two float4: [0] = (exposure scale, target scale, average scene luminance, middle-grey compensation), [1].x = average
  *  local exposure. */
 constexpr uint32 GEyeAdaptationBufferEntries = 2;
-
-namespace Drydock
-{
 
 /** A settled exposure: scale and target alike, no compensation, local exposure 1. ExposureScale: above 0, finite. */
 DRYDOCK_API FRDGBufferRef CreateEyeAdaptationBuffer(FRDGBuilder& GraphBuilder, float ExposureScale);

@@ -21,7 +21,7 @@ BEGIN_SHADER_PARAMETER_STRUCT(FHistogramParameters, )
 	SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, HistogramTexture)
 END_SHADER_PARAMETER_STRUCT()
 
-using FBuckets = std::array<double, GHistogramSize>;
+using FBuckets = std::array<double, Drydock::GHistogramSize>;
 
 constexpr int32 RowsPerStrip = 16;
 
@@ -67,7 +67,7 @@ void CountStrip(
 				Mean, Work.OneOverPreExposure, static_cast<double>(Work.Parameters.LuminanceMin));
 			const Drydock::FBucketShare Share =
 				Drydock::ShareBetweenBuckets(LogLuminance, static_cast<double>(Work.Parameters.HistogramScale),
-					static_cast<double>(Work.Parameters.HistogramBias), GHistogramSize);
+					static_cast<double>(Work.Parameters.HistogramBias), Drydock::GHistogramSize);
 			const double Weight =
 				Mask != nullptr
 					? std::max(0.0, SampleMask(*Mask, (X + 0.5) / Work.Rect.Width(), (Y + 0.5) / Work.Rect.Height()))
@@ -81,7 +81,7 @@ void CountStrip(
 
 void WriteHistogram(FRHITexture& Texture, const FBuckets& Buckets)
 {
-	for (int32 Texel = 0; Texel < GHistogramSize / 4; ++Texel)
+	for (int32 Texel = 0; Texel < Drydock::GHistogramSize / 4; ++Texel)
 	{
 		const double* const Four = &Buckets[static_cast<size_t>(Texel) * 4];
 		Texture.WriteTexelDouble(Texel, 0, FVector4(Four[0], Four[1], Four[2], Four[3]));
@@ -122,10 +122,10 @@ FRDGTextureRef Drydock::BuiltInAddHistogramPass(FRDGBuilder& GraphBuilder, const
 	const FEyeAdaptationParameters& Parameters, FScreenPassTexture SceneColor, FRDGTextureRef MeterMask)
 {
 	check(SceneColor.IsValid());
-	const FRDGTextureRef Output =
-		GraphBuilder.CreateTexture(FRDGTextureDesc::Create2D(FIntPoint(GHistogramSize / 4, 1), PF_A32B32G32R32F,
-									   FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
-			TEXT("Histogram"));
+	const FRDGTextureRef Output = GraphBuilder.CreateTexture(
+		FRDGTextureDesc::Create2D(FIntPoint(Drydock::GHistogramSize / 4, 1), PF_A32B32G32R32F, FClearValueBinding::None,
+			TexCreate_ShaderResource | TexCreate_UAV),
+		TEXT("Histogram"));
 	auto* PassParameters = GraphBuilder.AllocParameters<FHistogramParameters>();
 	PassParameters->InputTexture = SceneColor.Texture;
 	PassParameters->MeterMaskTexture = MeterMask;

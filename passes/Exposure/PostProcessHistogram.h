@@ -15,8 +15,6 @@
 
 #include <array>
 
-constexpr int32 GHistogramSize = 64;
-
 /** PF_A32B32G32R32F, 16 x 1: four buckets to a texel, the darkest first. SceneColor: linear, pre-exposed. MeterMask:
  * weights over the view in its red, sampled bilinearly; null: all alike. */
 DRYDOCK_API FRDGTextureRef AddHistogramPass(FRDGBuilder& GraphBuilder, const FViewInfo& View,
@@ -24,6 +22,8 @@ DRYDOCK_API FRDGTextureRef AddHistogramPass(FRDGBuilder& GraphBuilder, const FVi
 
 namespace Drydock
 {
+
+constexpr int32 GHistogramSize = 64; // buckets
 
 /** The histogram that AddHistogramPass wrote. */
 DRYDOCK_API std::array<double, GHistogramSize> ReadHistogram(FRHITexture& Texture);

@@ -67,11 +67,11 @@ void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& W
 		double LogLuminance = 0.0;
 		double Weight = 0.0;
 	};
-	std::array<FSum, GBilateralGridDepth> Sums;
-	const int32 MinX = Work.Rect.Min.X + CellX * GBilateralGridCellSize;
-	const int32 MinY = Work.Rect.Min.Y + CellY * GBilateralGridCellSize;
-	const int32 MaxX = FMath::Min(MinX + GBilateralGridCellSize, Work.Rect.Max.X);
-	const int32 MaxY = FMath::Min(MinY + GBilateralGridCellSize, Work.Rect.Max.Y);
+	std::array<FSum, Drydock::GBilateralGridDepth> Sums;
+	const int32 MinX = Work.Rect.Min.X + CellX * Drydock::GBilateralGridCellSize;
+	const int32 MinY = Work.Rect.Min.Y + CellY * Drydock::GBilateralGridCellSize;
+	const int32 MaxX = FMath::Min(MinX + Drydock::GBilateralGridCellSize, Work.Rect.Max.X);
+	const int32 MaxY = FMath::Min(MinY + Drydock::GBilateralGridCellSize, Work.Rect.Max.Y);
 	std::vector<float> Row;
 	std::vector<double> Means;
 	for (int32 Y = MinY; Y < MaxY; ++Y)
@@ -87,7 +87,7 @@ void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& W
 				Mean, Work.OneOverPreExposure, static_cast<double>(Work.Parameters.LuminanceMin));
 			const Drydock::FBucketShare Share =
 				Drydock::ShareBetweenBuckets(LogLuminance, static_cast<double>(Work.Parameters.HistogramScale),
-					static_cast<double>(Work.Parameters.HistogramBias), GBilateralGridDepth);
+					static_cast<double>(Work.Parameters.HistogramBias), Drydock::GBilateralGridDepth);
 			FSum* const Sum = &Sums[static_cast<size_t>(Share.First)];
 			Sum[0].LogLuminance += LogLuminance * Share.FirstWeight;
 			Sum[0].Weight += Share.FirstWeight;
@@ -95,8 +95,8 @@ void FillCell(FRHITexture& Input, FRHITexture& Grid, const FBilateralGridWork& W
 			Sum[1].Weight += Share.SecondWeight;
 		}
 	}
-	constexpr double Normalize = 1.0 / (GBilateralGridCellSize * GBilateralGridCellSize);
-	for (int32 Z = 0; Z < GBilateralGridDepth; ++Z)
+	constexpr double Normalize = 1.0 / (Drydock::GBilateralGridCellSize * Drydock::GBilateralGridCellSize);
+	for (int32 Z = 0; Z < Drydock::GBilateralGridDepth; ++Z)
 	{
 		const FSum& Sum = Sums[static_cast<size_t>(Z)];
 		Grid.WriteTexelDouble(
@@ -127,7 +127,8 @@ FLocalExposureParameters GetLocalExposureParameters(
 	const FViewInfo& View, FIntPoint GridInputSize, const FEyeAdaptationParameters& EyeAdaptation, bool bManual)
 {
 	const FFinalPostProcessSettings& Settings = View.FinalPostProcessSettings;
-	const FVector2f Cells(FIntPoint::DivideAndRoundUp(GridInputSize, GBilateralGridCellSize) * GBilateralGridCellSize);
+	const FVector2f Cells(
+		FIntPoint::DivideAndRoundUp(GridInputSize, Drydock::GBilateralGridCellSize) * Drydock::GBilateralGridCellSize);
 	FLocalExposureParameters Parameters;
 	Parameters.HighlightContrastScale = Settings.LocalExposureHighlightContrastScale;
 	Parameters.ShadowContrastScale = Settings.LocalExposureShadowContrastScale;
@@ -151,9 +152,9 @@ FRDGTextureRef Drydock::BuiltInAddLocalExposurePass(FRDGBuilder& GraphBuilder, c
 	const FEyeAdaptationParameters& EyeAdaptation, FScreenPassTexture SceneColor)
 {
 	check(SceneColor.IsValid());
-	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(SceneColor.ViewRect.Size(), GBilateralGridCellSize);
+	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(SceneColor.ViewRect.Size(), Drydock::GBilateralGridCellSize);
 	const FRDGTextureRef Grid =
-		GraphBuilder.CreateTexture(FRDGTextureDesc::Create3D(FIntVector(Cells.X, Cells.Y, GBilateralGridDepth),
+		GraphBuilder.CreateTexture(FRDGTextureDesc::Create3D(FIntVector(Cells.X, Cells.Y, Drydock::GBilateralGridDepth),
 									   PF_G32R32F, FClearValueBinding::None, TexCreate_ShaderResource | TexCreate_UAV),
 			TEXT("LocalExposureBilateralGrid"));
 
@@ -161,7 +162,8 @@ FRDGTextureRef Drydock::BuiltInAddLocalExposurePass(FRDGBuilder& GraphBuilder, c
 	PassParameters->InputTexture = SceneColor.Texture;
 	PassParameters->BilateralGrid = GraphBuilder.CreateUAV(Grid);
 	const FBilateralGridWork Work{SceneColor.ViewRect, 1.0 / static_cast<double>(View.PreExposure), EyeAdaptation};
-	GraphBuilder.AddPass(RDG_EVENT_NAME("LocalExposureBilateralGrid %dx%dx%d", Cells.X, Cells.Y, GBilateralGridDepth),
+	GraphBuilder.AddPass(
+		RDG_EVENT_NAME("LocalExposureBilateralGrid %dx%dx%d", Cells.X, Cells.Y, Drydock::GBilateralGridDepth),
 		PassParameters, ERDGPassFlags::Compute,
 		[Input = SceneColor.Texture, Grid, Work, Cells](FRHIComputeCommandList&)
 		{

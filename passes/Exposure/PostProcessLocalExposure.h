@@ -27,10 +27,6 @@ class FRDGBuilder;
 class FViewInfo;
 struct FFinalPostProcessSettings;
 
-/** Texels of the grid's input along a cell. */
-constexpr int32 GBilateralGridCellSize = 64;
-constexpr int32 GBilateralGridDepth = 32;
-
 /** The settings as shaders read them, beside FEyeAdaptationParameters. Thresholds in EV. */
 BEGIN_SHADER_PARAMETER_STRUCT(FLocalExposureParameters, DRYDOCK_API)
 	SHADER_PARAMETER(float, HighlightContrastScale)
@@ -45,6 +41,10 @@ END_SHADER_PARAMETER_STRUCT()
 
 namespace Drydock
 {
+
+/** Texels of the grid's input along a cell. */
+constexpr int32 GBilateralGridCellSize = 64;
+constexpr int32 GBilateralGridDepth = 32;
 
 /** The inputs that a frame applies local exposure with; not valid where it is off. */
 struct FLocalExposureTextures

@@ -18,11 +18,11 @@
 namespace Drydock
 {
 
-IMPLEMENT_GLOBAL_SHADER(FDOFSetupPS, "/Engine/Private/DiaphragmDOF.usf", "SetupPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FDOFTileMaxPS, "/Engine/Private/DiaphragmDOF.usf", "TileMaxPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FDOFNeighborMaxPS, "/Engine/Private/DiaphragmDOF.usf", "NeighborMaxPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FDOFGatherPS, "/Engine/Private/DiaphragmDOF.usf", "GatherPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FDOFRecombinePS, "/Engine/Private/DiaphragmDOF.usf", "RecombinePS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDOFSetupPS, "/Drydock/Private/DiaphragmDOF.usf", "SetupPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDOFTileMaxPS, "/Drydock/Private/DiaphragmDOF.usf", "TileMaxPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDOFNeighborMaxPS, "/Drydock/Private/DiaphragmDOF.usf", "NeighborMaxPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDOFGatherPS, "/Drydock/Private/DiaphragmDOF.usf", "GatherPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FDOFRecombinePS, "/Drydock/Private/DiaphragmDOF.usf", "RecombinePS", SF_Pixel);
 
 } // namespace Drydock
 

@@ -130,9 +130,9 @@ void RunBloomSetupThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "78c800820eb9a501")
-REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "78c800820eb9a501")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "05f37929198cfb1e")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "05f37929198cfb1e")
+REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "8974864555b0e6e8")
+REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "8974864555b0e6e8")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "10fb72ca57f00030")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "10fb72ca57f00030")
 
 } // namespace Drydock

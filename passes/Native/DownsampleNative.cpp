@@ -52,7 +52,7 @@ void RunDownsampleThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "ae49f2accff3bbd4")
-REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "ae49f2accff3bbd4")
+REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "d08a2f6f01e65ba8")
+REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "d08a2f6f01e65ba8")
 
 } // namespace Drydock

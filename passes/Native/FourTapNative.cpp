@@ -48,7 +48,7 @@ void RunOneTap(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "1d7271a42653c4c3")
-REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "1d7271a42653c4c3")
+REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "b6a69e4bb19290b1")
+REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "b6a69e4bb19290b1")
 
 } // namespace Drydock

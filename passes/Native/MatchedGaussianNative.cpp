@@ -66,6 +66,6 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "7c604fceab07b09b")
+REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "edf20b5106d41694")
 
 } // namespace Drydock

@@ -108,7 +108,7 @@ void RunDOFTileMax(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "0a125b3750ed4e8a")
-REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "935e810d3fe39fd0")
+REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "d283497ec9b616c4")
+REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "1d32fba61e469996")
 
 } // namespace Drydock

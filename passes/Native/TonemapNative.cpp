@@ -128,7 +128,7 @@ void RunTonemapThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "fb873536eee96d6e")
-REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "fb873536eee96d6e")
+REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "0f2e1e16fac40c12")
+REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "0f2e1e16fac40c12")
 
 } // namespace Drydock

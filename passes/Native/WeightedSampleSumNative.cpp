@@ -105,7 +105,7 @@ void RunFilterThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "da861751b8ae3a04")
-REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "da861751b8ae3a04")
+REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "935c480149a6e819")
+REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "935c480149a6e819")
 
 } // namespace Drydock

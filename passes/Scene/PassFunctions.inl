@@ -1,5 +1,5 @@
 // The pass functions that an engine overlay can replace, one in a row. Headers: below the engine's Renderer/Private.
-// Shaders: the main file in /Engine/Private; empty: the pass runs on the CPU. DRYDOCK_PASS_INPUTS(result, function,
+// Shaders: the main file in /Engine/Private; empty: the pass has none there. DRYDOCK_PASS_INPUTS(result, function,
 // header, shader, inputs, members): the function takes graph builder, view and a struct. The members are
 // DRYDOCK_MEMBER(Name)...; they are handed over one by one, because an overlay's struct of that name may have others.
 // DRYDOCK_PASS(result, scope, function, header, shader, parameters, arguments): any other function.
@@ -44,7 +44,7 @@ DRYDOCK_PASS(FRDGTextureRef, , AddLocalExposureBlurredLogLuminancePass, "PostPro
 DRYDOCK_PASS(FRDGTextureRef, , AddCombineLUTPass, "PostProcess/PostProcessCombineLUTs.h", "PostProcessCombineLUTs.usf",
 	(FRDGBuilder& GraphBuilder, const FViewInfo& View),
 	(GraphBuilder, View))
-DRYDOCK_PASS(FScreenPassTexture, DiaphragmDOF::, AddPasses, "PostProcess/DiaphragmDOF.h", "DiaphragmDOF.usf",
+DRYDOCK_PASS(FScreenPassTexture, DiaphragmDOF::, AddPasses, "PostProcess/DiaphragmDOF.h", "",
 	(FRDGBuilder& GraphBuilder, const FViewInfo& View, TRDGUniformBufferRef<FSceneTextureUniformParameters> SceneTextures, const FScreenPassTexture& SceneColor, const DiaphragmDOF::FPhysicalCocModel& Model, const DiaphragmDOF::FBokehModel& Bokeh),
 	(GraphBuilder, View, SceneTextures, SceneColor, Model, Bokeh))
 DRYDOCK_PASS(FScreenPassTexture, Drydock::, AddREDPostProcessPasses, "Lens/REDPostProcess.h", "REDPostProcess.usf",

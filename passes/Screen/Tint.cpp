@@ -34,7 +34,7 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-IMPLEMENT_GLOBAL_SHADER(FTintPS, "/Project/Tint.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FTintPS, "/Drydock/Private/Tint.usf", "MainPS", SF_Pixel);
 
 FTintInputs MakeInputs(const FParameterValues& Values)
 {

@@ -60,8 +60,8 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Engine/Private/PostProcessColorRemap.usf", "MainPS", SF_Pixel);
-IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Engine/Private/PostProcessColorRemap.usf", "MainCS", SF_Compute);
+IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Drydock/Private/PostProcessColorRemap.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Drydock/Private/PostProcessColorRemap.usf", "MainCS", SF_Compute);
 
 float EncodeSrgb(double Linear)
 {

@@ -57,7 +57,7 @@ public:
 		}
 	}
 
-	std::array<double, GHistogramSize> GetHistogram()
+	std::array<double, Drydock::GHistogramSize> GetHistogram()
 	{
 		TRefCountPtr<IPooledRenderTarget> Extracted;
 		Run.GraphBuilder.QueueTextureExtraction(
@@ -79,9 +79,9 @@ public:
 		const FRDGBufferRef Buffer = AddBuffer(Inputs);
 		AddEnqueueCopyPass(Run.GraphBuilder, &Readback, Buffer, Buffer->Desc.GetSize());
 		Run.GraphBuilder.Execute();
-		const uint32 NumBytes = GEyeAdaptationBufferEntries * sizeof(FVector4f);
+		const uint32 NumBytes = Drydock::GEyeAdaptationBufferEntries * sizeof(FVector4f);
 		const FVector4f* const Entries = static_cast<const FVector4f*>(Readback.Lock(NumBytes));
-		const std::vector<FVector4f> Result(Entries, Entries + GEyeAdaptationBufferEntries);
+		const std::vector<FVector4f> Result(Entries, Entries + Drydock::GEyeAdaptationBufferEntries);
 		Readback.Unlock();
 		return Result;
 	}

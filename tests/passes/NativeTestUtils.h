@@ -145,7 +145,7 @@ inline Drydock::FLocalExposureTextures DrawLocalExposure(FPassRun& Run, std::mt1
 		return std::uniform_real_distribution<double>(Low, High)(Random);
 	};
 	const FIntPoint Size = Run.Input.ViewRect.Size();
-	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(Size, GBilateralGridCellSize);
+	const FIntPoint Cells = FIntPoint::DivideAndRoundUp(Size, Drydock::GBilateralGridCellSize);
 	Drydock::FLocalExposureTextures Textures;
 	FLocalExposureParameters& Parameters = Textures.Parameters;
 	Parameters.HighlightContrastScale = static_cast<float>(Draw(0.3, 1.2));
@@ -155,17 +155,17 @@ inline Drydock::FLocalExposureTextures DrawLocalExposure(FPassRun& Run, std::mt1
 	Parameters.DetailStrength = static_cast<float>(Draw(0.5, 1.5));
 	Parameters.BlurredLuminanceBlend = static_cast<float>(Draw(0.0, 1.0));
 	Parameters.MiddleGreyExposureCompensation = 1.5f;
-	Parameters.BilateralGridUVScale = FVector2f(Size) / FVector2f(Cells * GBilateralGridCellSize);
+	Parameters.BilateralGridUVScale = FVector2f(Size) / FVector2f(Cells * Drydock::GBilateralGridCellSize);
 	Textures.EyeAdaptation.HistogramScale = 0.06f;
 	Textures.EyeAdaptation.HistogramBias = 0.5f;
 	Textures.EyeAdaptation.LuminanceMin = 0.001f;
-	Textures.BilateralGrid =
-		AddVolume(Run.GraphBuilder, FIntVector(Cells.X, Cells.Y, GBilateralGridDepth), PF_G32R32F, TEXT("Grid"),
-			[&](int, int, int)
-			{
-				const double Weight = Draw(-0.2, 1.0);
-				return Weight > 0.0 ? FTexel{Weight * Draw(-4.0, 4.0), Weight, 0, 1} : FTexel{0, 0, 0, 1};
-			});
+	Textures.BilateralGrid = AddVolume(Run.GraphBuilder, FIntVector(Cells.X, Cells.Y, Drydock::GBilateralGridDepth),
+		PF_G32R32F, TEXT("Grid"),
+		[&](int, int, int)
+		{
+			const double Weight = Draw(-0.2, 1.0);
+			return Weight > 0.0 ? FTexel{Weight * Draw(-4.0, 4.0), Weight, 0, 1} : FTexel{0, 0, 0, 1};
+		});
 	const FIntPoint Small = FIntPoint::DivideAndRoundUp(Size, 4);
 	const FImage Blurred = FImage::Make(Small.X, Small.Y, [&](int, int) { return FTexel{Draw(-4.0, 4.0), 0, 0, 1}; });
 	Textures.BlurredLogLuminance =

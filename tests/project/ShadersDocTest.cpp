@@ -38,7 +38,7 @@ TEST(ShadersDoc, NamesEveryInclude)
 TEST(ShadersDoc, NamesNoneThatIsMissing)
 {
 	std::set<std::string> Names;
-	for (const char* const Folder : {"rdg/graph/Shaders/Engine", "passes/Shaders"})
+	for (const char* const Folder : {"rdg/graph/Shaders", "passes/Shaders"})
 	{
 		for (const fs::directory_entry& Entry : fs::recursive_directory_iterator(Root / Folder))
 		{

@@ -12,14 +12,14 @@ struct FStatedFinding
 };
 
 inline constexpr FStatedFinding StatedFindings[] = {
-	{"nan", "TonemapCommon.ush",
+	{"nan", "FilmCurve.ush",
 		"far from the film curve's toe or shoulder an exponential overflows: one over infinity is the 0 that is meant, "
 		"or "
 		"the other branch is taken"},
 	{"nan", "PostProcessLocalExposureCommon.ush", "an empty cell of the bilateral grid is divided by and not taken"},
 	{"nan", "PostProcessEyeAdaptation.usf",
 		"the local exposure of the average is computed and not taken where local exposure is off"},
-	{"nan", "CommonView.ush", "device depth 0, of a scene without custom depth, is infinitely far"},
+	{"nan", "Common.ush", "device depth 0, of a scene without custom depth, is infinitely far"},
 	{"bounds", "SceneTexturesCommon.ush",
 		"a scene without custom stencil has a texture of one texel in its place, as in the engine: beyond it is 0"},
 	{"negative", "PostProcessMotionBlur.usf", "velocities have both signs"},

@@ -41,6 +41,12 @@ std::string FindInstalled(const std::string& Relative)
 	return {};
 }
 
+std::string FindShippedShaders()
+{
+	return FindInstalled("share/drydock/rdg/graph/Shaders").empty() ? DRYDOCK_SOURCE_DIR
+																	: FindInstalled("share/drydock");
+}
+
 std::vector<std::string> FindKernelIncludes()
 {
 	for (const std::string& Root : {FindInstalled("include/drydock"), std::string(DRYDOCK_SOURCE_DIR)})

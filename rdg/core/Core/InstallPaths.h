@@ -16,6 +16,9 @@ std::string GetLibraryPath();
  *  build tree, and in lib/drydock/ of an installation. Empty when there is none. */
 DRYDOCK_API std::string FindInstalled(const std::string& Relative);
 
+/** The folder that rdg/graph/Shaders and passes/Shaders lie in. */
+DRYDOCK_API std::string FindShippedShaders();
+
 /** Include folders for generated kernels; empty when the headers are nowhere. */
 std::vector<std::string> FindKernelIncludes();
 

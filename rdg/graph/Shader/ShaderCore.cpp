@@ -85,12 +85,13 @@ void MapShippedShaders()
 	std::call_once(Once,
 		[]
 		{
-			const std::string Installed = FindInstalled("share/drydock/rdg/graph/Shaders");
-			const std::string Root = Installed.empty() ? DRYDOCK_SOURCE_DIR : FindInstalled("share/drydock");
+			const std::string Root = FindShippedShaders();
 			const std::string Passes = Root + "/passes/Shaders";
 			AddShaderDirectory("/Engine", Root + "/rdg/graph/Shaders/Engine");
 			AddShaderDirectory("/Engine/Private", Passes);
+			AddShaderDirectory("/Project", Passes + "/Drydock");
 			AddShaderDirectory("/Project", Passes);
+			AddShaderDirectory("/Drydock", Root + "/rdg/graph/Shaders/Drydock");
 			AddShaderDirectory("/Drydock/Private", Passes + "/Drydock");
 			GNumShippedShaderDirectories = CountShaderDirectories();
 		});

@@ -75,6 +75,11 @@ const std::vector<FLintRule>& GetLintRules()
 			"textures of integers have no filter: they are not sampled", "use Load, or Gather",
 			"https://learn.microsoft.com/en-us/windows/win32/direct3ddxgi/"
 			"format-support-for-direct3d-11-0-feature-level-hardware"},
+		{"not-in-engine", ESeverity::Error, LintD3D11 | LintSM6 | LintVulkan | LintMetal | LintMobile,
+			"the engine does not have this name, which drydock defines",
+			"put it into a file of your own, or use what the engine has",
+			"https://dev.epicgames.com/documentation/en-us/unreal-engine/"
+			"overview-of-shaders-in-plugins-unreal-engine"},
 		{"partial-uav-store", ESeverity::Error, LintD3D11, "a store to a typed UAV writes all components of a texel",
 			"read the texel, change it, and write it whole",
 			"https://learn.microsoft.com/en-us/windows/win32/direct3dhlsl/store-uav-typed--sm5---asm-"},

@@ -1,6 +1,7 @@
 // Looks at a module, and at the functions that its entry point calls.
 #include "ShaderLint.h"
 
+#include "EngineNames.h"
 #include "HlslSymbols.h"
 #include "HlslTokens.h"
 #include "LeftOutStages.h"
@@ -85,6 +86,10 @@ private:
 void FLinter::LookAtText(const std::string& Source)
 {
 	const FHlslText Text(Source, Request.VirtualPath);
+	for (const FNotInEngine& Each : FindNotInEngine(Text, Request))
+	{
+		Add("not-in-engine", Each.File, Each.Line, Each.What);
+	}
 	std::multimap<std::string, FFunctionText> Functions;
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{

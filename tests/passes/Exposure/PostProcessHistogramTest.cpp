@@ -12,7 +12,7 @@ using namespace PassTest;
 namespace
 {
 
-using FBuckets = std::array<double, GHistogramSize>;
+using FBuckets = std::array<double, Drydock::GHistogramSize>;
 
 FBuckets Count(const FImage& Image, const FMetering& Metering = {})
 {

@@ -1,4 +1,4 @@
-// The numbers written in ACESCommon.ush, derived again in double from published primaries.
+// The numbers written in ACESCommon.ush and ACES.ush, derived again in double from published primaries.
 #include <gtest/gtest.h>
 
 #include "ToneReference.h"
@@ -15,9 +15,11 @@ namespace
 /** The numbers of `static const float3x3 Name = { ... }` or `static const float3 Name = float3(...)`. */
 std::vector<double> ReadConstants(const std::string& Name)
 {
-	std::ifstream File(DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine/Private/ACES/ACESCommon.ush");
 	std::stringstream Stream;
-	Stream << File.rdbuf();
+	for (const char* const File : {"Engine/Private/ACES/ACESCommon.ush", "Drydock/Private/ACES.ush"})
+	{
+		Stream << std::ifstream(DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/" + std::string(File)).rdbuf();
+	}
 	const std::string Text = Stream.str();
 
 	const size_t Begin = Text.find(Name + " =");

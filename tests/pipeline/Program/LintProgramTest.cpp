@@ -34,7 +34,7 @@ TEST(LintProgram, ConfigsThatShipAreClean)
 TEST(LintProgram, AFileOfTwoMappingsHasTheClassesOfBoth)
 {
 	const FProgramFolder Folder("lint_file");
-	const FOutcome Outcome = Folder.Call("lint '" + (Root / "passes/Shaders/FourTapBlur.usf").string() + "'");
+	const FOutcome Outcome = Folder.Call("lint '" + (Root / "passes/Shaders/Drydock/FourTapBlur.usf").string() + "'");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
 	EXPECT_THAT(Outcome.Printed, HasSubstr(" looked at, 0 findings")); // without a class it would not compile
 }
@@ -52,6 +52,41 @@ TEST(LintProgram, FindingsAreNamedThoughAnotherShaderDoesNotCompile)
 	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:11: error: threads part in line 6: a barrier that not all threads"));
 	EXPECT_THAT(Found.Printed, HasSubstr("Broken.usf:4: error: 'Missing'"));
 	EXPECT_THAT(Folder.Call("lint Broken.usf").Printed, testing::Not(HasSubstr("looked at")));
+}
+
+TEST(LintProgram, NamesOfDrydocksOwnAreNotInTheEngine)
+{
+	const FProgramFolder Folder("lint_names");
+	const std::string Engine = "#include \"/Engine/Private/TonemapCommon.ush\"\n#include \"ShaderPrint.ush\"\n";
+	const std::string Body =
+		"RWTexture2D<float4> Out;\n[numthreads(8, 8, 1)]\n"
+		"void MainCS(uint2 P : SV_DispatchThreadID)\n{\n"
+		"	FShaderPrintContext Context = InitShaderPrintContext();\n	Print(Context, TEXT(\"a\"));\n"
+		"	float2 UV = MapPixelToInputUV(P, 0.0f, 1.0f, 0.0f, 1.0f);\n"
+		"	Out[P] = float4(LinToLog(UV.xyx), AcesYc(UV.xyx));\n}\n";
+	Folder.Write("Part.usf", Engine + "#include \"/Drydock/Private/ScreenMapping.ush\"\n" + Body);
+	const FOutcome Found = Folder.Call("lint Part.usf");
+	EXPECT_EQ(1, Found.ExitCode);
+	EXPECT_THAT(
+		Found.Printed, HasSubstr("Part.usf:3: error: /Drydock/Private/ScreenMapping.ush: the engine does not have"));
+	EXPECT_THAT(
+		Found.Printed, HasSubstr("Part.usf:10: error: MapPixelToInputUV of /Drydock/Private/ScreenMapping.ush (the "
+								 "engine has ApplyScreenTransform of a parameter FScreenTransform): "));
+	EXPECT_THAT(
+		Found.Printed, HasSubstr("Part.usf:11: error: AcesYc of /Drydock/Private/ACES.ush (the engine has rgb_2_yc)"));
+	EXPECT_THAT(Found.Printed, HasSubstr("1 shader looked at, 3 findings\n"));
+
+	Folder.Write(
+		"Part.usf", Engine +
+						"float2 MapPixelToInputUV(float2 P, float2 A, float2 B, float2 C, float2 D) { return P; }\n"
+						"float AcesYc(float3 Color, float Weight = 1.75f) { return Weight * Color.x; }\n" +
+						Body);
+	EXPECT_THAT(Folder.Call("lint Part.usf").Printed, HasSubstr("1 shader looked at, 0 findings\n"));
+
+	Folder.Write(
+		"Part.usf", "#include \"/Engine/Private/UnityBloom.usf\"\n" + Body.substr(0, Body.find("	FShader")) + "}\n");
+	EXPECT_THAT(Folder.Call("lint Part.usf --entry MainCS").Printed,
+		HasSubstr("Part.usf:1: error: /Engine/Private/UnityBloom.usf (an article adds it): "));
 }
 
 TEST(LintProgram, FindingsHaveTheirLineAndAllowedOnesAreLeftOut)

@@ -64,13 +64,14 @@ public:
 	FCopiedShaders()
 	{
 		fs::remove_all(Folder);
-		for (const char* const Shaders : {"passes/Shaders", "rdg/graph/Shaders/Engine"})
+		for (const char* const Shaders : {"passes/Shaders", "rdg/graph/Shaders"})
 		{
 			fs::create_directories(Folder / Shaders);
 			fs::copy(Root + Shaders, Folder / Shaders, fs::copy_options::recursive);
 		}
 		AddShaderSourceDirectoryMapping(TEXT("/Engine"), FString((Folder / "rdg/graph/Shaders/Engine").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Engine/Private"), FString((Folder / "passes/Shaders").string()));
+		AddShaderSourceDirectoryMapping(TEXT("/Drydock"), FString((Folder / "rdg/graph/Shaders/Drydock").string()));
 		AddShaderSourceDirectoryMapping(
 			TEXT("/Drydock/Private"), FString((Folder / "passes/Shaders/Drydock").string()));
 		AddShaderSourceDirectoryMapping(TEXT("/Project"), FString((Folder / "passes/Shaders").string()));
@@ -146,7 +147,7 @@ std::string ShowCombineLUTs()
 }
 
 const std::map<std::string, std::function<std::string()>> OfItsOwn = {
-	{"passes/Shaders/FourTapBlur.usf", &ShowFourTaps},
+	{"passes/Shaders/Drydock/FourTapBlur.usf", &ShowFourTaps},
 	{"passes/Shaders/PostProcessCombineLUTs.usf", &ShowCombineLUTs},
 	{"rdg/graph/Shaders/Engine/Private/ScreenPass.usf", &ShowDrawnTexture},
 };

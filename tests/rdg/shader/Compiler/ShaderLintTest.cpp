@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ShaderDirectories.h"
 #include "ShaderLint.h"
 
 #include <algorithm>
@@ -122,6 +123,11 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute("Texture2D<uint> T; SamplerState S; RWStructuredBuffer<uint> Out;",
 				"	Out[Id.x] = T.SampleLevel(S, 0.5, 0);")),
 			MakeRequest(Compute("Texture2D<uint> T; RWStructuredBuffer<uint> Out;", "	Out[Id.x] = T[Id.xy];"))},
+		{"not-in-engine", 1,
+			MakeRequest("#include \"/Drydock/Private/ScreenMapping.ush\"\n" +
+						Compute(Float4, "	Out[Id.xy] = MapPixelToInputUV(Id.xy, 0, 1, 0, 1).xyxy;")),
+			MakeRequest("#include \"/Engine/Private/MortonCode.ush\"\n" +
+						Compute(Float4, "	Out[Id.xy] = MortonEncode(Id.xy);"))},
 		{"partial-uav-store", 5, MakeRequest(Compute(Float4, "	Out[Id.xy].rgb = 1;")),
 			MakeRequest(Compute(Float4 + "void F(uint2 P) { Out[P].x = 1; }", "	Out[Id.xy] = 1;"))},
 		{"render-targets", 0, Targets(5), Targets(4)},
@@ -185,6 +191,8 @@ std::vector<std::string> LintCapability(uint32_t Capability)
 
 TEST(ShaderLint, EachRuleFindsItsPlantedFaultInItsLine)
 {
+	AddShaderDirectory("/Engine", DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine");
+	AddShaderDirectory("/Drydock/Private", DRYDOCK_TEST_SOURCE_DIR "/passes/Shaders/Drydock");
 	for (const FPlanted& Planted : GetPlanted())
 	{
 		const std::vector<std::string> Found = Lint(Planted.Faulty);
@@ -411,6 +419,11 @@ comment anywhere in the file. `drydock lint` finds nothing else in the shaders t
 ```hlsl
 // drydock-lint: allow threads-512: the article's blur has groups of 32 x 32 threads
 ```
+
+`not-in-engine` reports what drydock has and the engine does not have: an include below `/Drydock`, an include of a file that
+an article adds, and a function, structure or constant of drydock's own. The finding names the file that defines it and, if
+known, the name that the engine has instead. `rdg/graph/Shaders/EngineNames.txt` lists the engine's names and states how
+certain each is. The rule does not look at C++.
 
 The table is made from `rdg/shader/Lint/LintRules.cpp`. To write the page anew, run
 `DRYDOCK_BLESS=1 build/release/bin/test_rdg_Compiler --gtest_filter='ShaderLint.Doc*'`. Each rule is stated by the

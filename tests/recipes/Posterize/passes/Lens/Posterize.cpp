@@ -27,7 +27,7 @@ public:
 	END_SHADER_PARAMETER_STRUCT()
 };
 
-IMPLEMENT_GLOBAL_SHADER(FPosterizePS, "/Project/Posterize.usf", "MainPS", SF_Pixel);
+IMPLEMENT_GLOBAL_SHADER(FPosterizePS, "/Drydock/Private/Posterize.usf", "MainPS", SF_Pixel);
 
 } // namespace
 

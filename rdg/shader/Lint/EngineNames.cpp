@@ -1,0 +1,190 @@
+// Reads the table, and compares what a shader includes and calls with it.
+#include "EngineNames.h"
+
+#include "InstallPaths.h"
+#include "ShaderDirectories.h"
+#include "ShaderEntries.h"
+#include "ShaderSource.h"
+#include "TextTools.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace Drydock
+{
+
+const std::vector<FEngineName>& GetEngineNames()
+{
+	static const std::vector<FEngineName> Names = []
+	{
+		std::vector<FEngineName> Rows;
+		std::ifstream File(FindShippedShaders() + "/rdg/graph/Shaders/EngineNames.txt");
+		for (std::string Line; std::getline(File, Line);)
+		{
+			FEngineName Row;
+			std::istringstream Columns(Line);
+			if (!Line.empty() && Line[0] != '#')
+			{
+				for (std::string* const Column :
+					{&Row.Name, &Row.File, &Row.From, &Row.Until, &Row.Deprecated, &Row.Certainty})
+				{
+					std::getline(Columns, *Column, '\t');
+				}
+				Rows.push_back(std::move(Row));
+			}
+		}
+		return Rows;
+	}();
+	return Names;
+}
+
+std::vector<size_t> ListDefinitions(const FHlslText& Text)
+{
+	std::vector<size_t> Names;
+	for (const FFunctionText& Function : ListFunctionTexts(Text))
+	{
+		Names.push_back(Function.Name);
+	}
+	for (size_t At = 0; At < Text.Size(); At = std::max(At, Text.FindClose(At)) + 1)
+	{
+		if (Text.Is(At, "struct") && Text.IsWord(At + 1))
+		{
+			Names.push_back(At + 1);
+		}
+		else if (Text.Is(At, "static") && Text.Is(At + 1, "const") && Text.IsWord(At + 3))
+		{
+			Names.push_back(At + 3);
+		}
+	}
+	return Names;
+}
+
+namespace
+{
+
+/** A file that drydock ships, and no other in its place. */
+bool IsShipped(const std::string& File, const FShaderCompileRequest& Request)
+{
+	const bool bGenerated = std::any_of(Request.GeneratedFiles.begin(), Request.GeneratedFiles.end(),
+		[&File](const std::pair<std::string, std::string>& Each) { return Each.first == File; });
+	const std::string Real = bGenerated ? std::string() : FindShaderFile(File);
+	const std::string Root = FindShippedShaders();
+	return Real.starts_with(Root + "/rdg/graph/Shaders/") || Real.starts_with(Root + "/passes/Shaders/");
+}
+
+/** The row of a name, or of the file of that virtual path; null: the table has none. */
+const FEngineName* FindRow(const std::string& Name)
+{
+	static const std::map<std::string, const FEngineName*> Rows = []
+	{
+		std::map<std::string, const FEngineName*> Result;
+		for (const FEngineName& Row : GetEngineNames())
+		{
+			Result.emplace(Row.IsFile() ? ToLowerCase(Row.File) : Row.Name, &Row);
+		}
+		return Result;
+	}();
+	const auto Found = Rows.find(Name.starts_with("/") ? ToLowerCase(Name) : Name); // paths in any case
+	return Found == Rows.end() ? nullptr : Found->second;
+}
+
+std::string Describe(const std::string& Name, const std::string& Where)
+{
+	const FEngineName* const Row = FindRow(Name);
+	return Name + Where +
+		   (!Row                             ? ""
+			   : Row->Certainty == "article" ? " (an article adds it)"
+			   : Row->Deprecated == "-"      ? ""
+											 : " (the engine has " + Row->Deprecated + ")");
+}
+
+bool IsEngines(const std::string& Name)
+{
+	const FEngineName* const Row = FindRow(Name);
+	return Row && Row->IsEngines();
+}
+
+std::vector<std::string> ReadLines(const std::string& File, const FShaderCompileRequest& Request)
+{
+	std::vector<std::string> Lines;
+	std::istringstream Stream(ReadShaderText(File, Request));
+	for (std::string Line; std::getline(Stream, Line);)
+	{
+		Lines.push_back(Line);
+	}
+	return Lines;
+}
+
+} // namespace
+
+std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCompileRequest& Request)
+{
+	std::vector<FNotInEngine> Found;
+	std::map<std::string, std::vector<std::string>> Theirs; // the files that drydock does not ship, as lines
+	std::vector<std::string> Files = Text.Files;
+	Files.push_back(Request.VirtualPath);
+	for (const std::string& File : Files)
+	{
+		if (!Theirs.contains(File) && !IsShipped(File, Request))
+		{
+			Theirs.emplace(File, ReadLines(File, Request));
+		}
+	}
+
+	static const std::regex Include(R"re(^\s*#\s*include\s*"([^"]+)")re");
+	for (const auto& [File, Lines] : Theirs)
+	{
+		std::smatch Match;
+		for (size_t i = 0; i < Lines.size(); ++i)
+		{
+			if (std::regex_search(Lines[i], Match, Include))
+			{
+				std::string Path = ResolveVirtualPath(Match[1], File);
+				if (FindShaderFile(Path).empty())
+				{
+					Path = ResolveVirtualPath("/Engine/Private/" + Match[1].str(), File); // as the engine looks for it
+				}
+				if (IsShipped(Path, Request) && !IsEngines(Path))
+				{
+					Found.push_back({File, int(i) + 1, Describe(Path, "")});
+				}
+			}
+		}
+	}
+
+	std::map<std::string, std::string> Ours; // name, file
+	std::set<std::string> TheirNames;
+	for (const size_t At : ListDefinitions(Text))
+	{
+		const std::string& File = Text.Files[Text[At].File];
+		if (Theirs.contains(File))
+		{
+			TheirNames.insert(Text[At].Text);
+		}
+		else if (!IsEngines(Text[At].Text))
+		{
+			Ours.emplace(Text[At].Text, File);
+		}
+	}
+	for (size_t At = 1; At < Text.Size(); ++At)
+	{
+		const std::string& Word = Text[At].Text;
+		const auto Name = Ours.find(Word);
+		const auto File = Name == Ours.end() ? Theirs.end() : Theirs.find(Text.Files[Text[At].File]);
+		const size_t Line = size_t(Text[At].Line) - 1;
+		// A macro of the engine's name may stand for a name of ours: only what the author wrote counts.
+		const bool bWritten =
+			File != Theirs.end() && Line < File->second.size() && File->second[Line].find(Word) != std::string::npos;
+		if (bWritten && !TheirNames.contains(Word) && !Text.Is(At - 1, "."))
+		{
+			Found.push_back({File->first, int(Line) + 1, Describe(Word, " of " + Name->second)});
+		}
+	}
+	return Found;
+}
+
+} // namespace Drydock
