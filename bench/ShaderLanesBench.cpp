@@ -84,11 +84,11 @@ FUsfKernel MakeUsfKernel(const std::string& Name, int32_t Lanes)
 	FShaderCompileRequest Request;
 	std::map<std::string, std::vector<float>> Constants = {{"ViewSize", {SizeX, SizeY, 1, 0}},
 		{"InvSize", {1 / SizeX, 1 / SizeY}}, {"View_PreExposure", {1}}, {"View_OneOverPreExposure", {1}},
-		{"BloomThreshold", {0.5f}}, {"Output_ViewportSizeInverse", {1 / SizeX, 1 / SizeY}},
-		{"Input_UVViewportSize", {1, 1}}};
+		{"BloomThreshold", {0.5f}}, {"Input_ViewportSizeInverse", {1 / SizeX, 1 / SizeY}},
+		{"SvPositionToInputTextureUV", {1 / SizeX, 1 / SizeY, 0, 0}}};
 	if (Name == "BloomSetup")
 	{
-		FBloomSetupPermutation Permutation;
+		FBloomSetupPS::FPermutationDomain Permutation;
 		Permutation.Set<FThresholdDimension>(true);
 		ForEachShaderType(
 			[&](const FShaderType& Type)

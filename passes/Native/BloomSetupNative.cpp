@@ -130,9 +130,9 @@ void RunBloomSetupThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "8974864555b0e6e8")
-REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "8974864555b0e6e8")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "10fb72ca57f00030")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "10fb72ca57f00030")
+REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "122a70643eb94123")
+REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "122a70643eb94123")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "21de37f1ad9c9e7b")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "21de37f1ad9c9e7b")
 
 } // namespace Drydock

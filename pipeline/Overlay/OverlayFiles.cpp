@@ -202,8 +202,9 @@ std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::str
 	{
 		throw FError(
 			{.Code = ErrorOverlayFolder,
-				.Message = Pass + " runs on the CPU and has no shader; put the engine's own files in a folder " + Name +
-						   "/Engine/Source/Runtime/Renderer/Private/PostProcess"},
+				.Message = Pass +
+						   ": drydock has no file of it in the engine's form; put the engine's own files in a folder " +
+						   Name + "/Engine/Source/Runtime/Renderer/Private/PostProcess"},
 			ExitUsage);
 	}
 	Made.push_back({Name + ".json", RenamePatch(ReadOwnFile(GetTemplates() / "MyPatch.json"), Name)});

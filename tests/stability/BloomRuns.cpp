@@ -7,6 +7,7 @@
 #include "Bloom/PostProcessBloomSetup.h"
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Bloom/PostProcessToonBloom.h"
+#include "Bloom/ToonBloomSetup.h"
 #include "Bloom/UnityBloom.h"
 #include "PostProcess/PostProcessFFTBloom.h"
 #include "RenderGraphUtils.h"
@@ -36,6 +37,32 @@ FImage BloomSetupFormula(const FCase& Case)
 	return FImage::Make(Case.Image.Width, Case.Image.Height,
 		[&](int X, int Y)
 		{ return PassReference::BloomSetup(Case.Image.At(X, Y), Case.Threshold.value_or(-1.0), 1.0, 1.0); });
+}
+
+/** Intensity: of the toon, 1. Threshold: -1, none. Variants: pixel shader, compute. */
+FImage RunToonBloomSetup(const FCase& Case)
+{
+	FFrameRun Run(Case);
+	Run.View.bUseComputePasses = Case.Variant == 1;
+	FBloomSetupInputs Inputs;
+	Inputs.SceneColor = Run.Input;
+	Inputs.EyeAdaptationBuffer = CreateEyeAdaptationBuffer(Run.GraphBuilder, 1.0f);
+	Inputs.Threshold = static_cast<float>(Case.Threshold.value_or(-1.0));
+	FToonBloomInputs Toon;
+	Toon.SceneTextures = Run.GetSceneTextures();
+	Toon.SceneColor = Run.Input;
+	Toon.ToonIntensity = static_cast<float>(Case.Intensity.value_or(1.0));
+	return Run.Execute(Drydock::AddToonBloomSetupPass(Run.GraphBuilder, Run.View, Inputs, Toon));
+}
+
+FImage ToonBloomSetupFormula(const FCase& Case)
+{
+	return FImage::Make(Case.Image.Width, Case.Image.Height,
+		[&](int X, int Y)
+		{
+			return PassReference::BloomSetup(Case.Image.At(X, Y), Case.Threshold.value_or(-1.0), 1.0, 1.0) *
+				   (FFrameRun::IsCloth(X) ? Case.Intensity.value_or(1.0) : 1.0);
+		});
 }
 
 /** Intensity: of the toon, 1. Variants: pixel shader, compute. */
@@ -141,6 +168,7 @@ FImage RunUnityBloom(const FCase& Case)
 
 const FRunRegistration BloomRuns({
 	{"Bloom setup", {.Run = RunBloomSetup, .Formula = BloomSetupFormula, .NumVariants = 2}},
+	{"Toon bloom setup", {.Run = RunToonBloomSetup, .Formula = ToonBloomSetupFormula, .NumVariants = 2}},
 	{"Toon bloom mask", {.Run = RunToonBloomMask, .Formula = ToonBloomMaskFormula, .NumVariants = 2}},
 	{"Bloom, sum of Gaussians", {.Run = RunGaussianBloom, .Gain = 0.7951 / 6}},
 	{"Bloom, FFT", {.Run = RunFFTBloom}},

@@ -167,7 +167,7 @@ TEST(OverlayRun, MistakesAreNamed)
 	EXPECT_THAT(Pass.Printed, HasSubstr("did you mean BloomSetup?"));
 	const FOutcome Cpu = Folder.Call("overlay new MyPatch --pass Histogram");
 	EXPECT_EQ(2, Cpu.ExitCode);
-	EXPECT_THAT(Cpu.Printed, HasSubstr("runs on the CPU"));
+	EXPECT_THAT(Cpu.Printed, HasSubstr("has no file of it in the engine's form"));
 	const FOutcome Missing = Folder.Call("run frame.json --overlay Nowhere");
 	EXPECT_EQ(2, Missing.ExitCode);
 	EXPECT_THAT(Missing.Printed, HasSubstr("DD1130"));

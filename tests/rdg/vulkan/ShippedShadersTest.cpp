@@ -277,8 +277,9 @@ TEST_F(VulkanOracles, EveryShippedShaderByThreeMakers)
 		[&](const FShaderType& Type)
 		{
 			const std::string Name = Type.GetName();
+			const std::string File = Type.GetShaderFilename();
 			if (Type.GetFrequency() == SF_Vertex || (Only && Name.find(Only) == std::string::npos) ||
-				!std::string(Type.GetShaderFilename()).starts_with("/Engine/"))
+				(!File.starts_with("/Engine/") && !File.starts_with("/Drydock/")))
 			{
 				return;
 			}
