@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
 
 namespace Drydock
 {
@@ -60,7 +61,7 @@ bool SplitPlace(const std::string& Text, FDiagnostic& Place)
 std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request)
 {
 	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
-	if (!Chosen)
+	if (!Chosen || UsesOwnFrontEnd())
 	{
 		return {};
 	}
@@ -90,6 +91,12 @@ std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Reque
 	return Compiler;
 }
 
+bool UsesOwnFrontEnd()
+{
+	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
+	return Chosen && std::string_view(Chosen) == "drydock";
+}
+
 const char* GetChosenGlslang()
 {
 	return GetChosenProgram("DRYDOCK_GLSLANG");
@@ -100,6 +107,10 @@ std::string GetHlslCompilerId(const FShaderCompileRequest& Request)
 	if (IsSpirvFile(Request.VirtualPath))
 	{
 		return {};
+	}
+	if (UsesOwnFrontEnd())
+	{
+		return "drydock";
 	}
 	if (const std::optional<FHlslCompiler> Compiler = FindHlslCompiler(Request))
 	{

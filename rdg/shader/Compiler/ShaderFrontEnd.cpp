@@ -5,6 +5,7 @@
 #include "FrontEndCrash.h"
 #include "FrontEndProcess.h"
 #include "HlslCompiler.h"
+#include "HlslFrontEnd.h"
 #include "HlslTokens.h"
 #include "InstallPaths.h"
 #include "RegularFile.h"
@@ -342,6 +343,10 @@ std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderC
 	if (IsSpirvFile(Request.VirtualPath))
 	{
 		return GetSpirvWords(Source.Text);
+	}
+	if (UsesOwnFrontEnd())
+	{
+		return Hlsl::Compile(Source.Text, Request);
 	}
 	const FFrontEnd FrontEnd(Request);
 	FFrontEndReply Reply = FrontEnd.Run(Source.Text);

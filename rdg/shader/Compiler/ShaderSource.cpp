@@ -2,6 +2,7 @@
 #include "ShaderSource.h"
 
 #include "ContentHash.h"
+#include "HlslCompiler.h"
 #include "HlslRewrites.h"
 #include "LeftOutStages.h"
 #include "RegularFile.h"
@@ -259,6 +260,16 @@ FShaderSource FFlattener::Run()
 	Result.Fingerprint = Fingerprint();
 	// The engine packs matrices by rows, which is how FMatrix44f lies in memory.
 	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
+	if (UsesOwnFrontEnd())
+	{
+		Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing);
+		for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
+		{
+			Result.Text += "#line 1 \"/Engine/Generated/UniformBuffers/" + Buffer.Name + ".ush\"\n" + Buffer.Declaration;
+		}
+		Result.Text += "\n" + Printing;
+		return std::move(Result);
+	}
 	Result.Text = RewriteHlsl("#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
 								  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers),
 		Request.VirtualPath, Preprocessor.GetErrors(), HasRealHalf(Request));

@@ -1,0 +1,245 @@
+// The entry: which function it is, its parameters and semantics, the attributes before it.
+#include "HlslAnalysisImpl.h"
+
+#include <algorithm>
+
+namespace Drydock::Hlsl
+{
+
+namespace
+{
+
+constexpr int64_t MaxGroupThreads = 1024;
+
+} // namespace
+
+FOverload* FAnalyser::FindEntry()
+{
+	const auto Found = File->Symbols.find(Options.EntryPoint);
+	FOverload* Best = nullptr;
+	const auto HasThreads = [](const FOverload& Overload)
+	{
+		return std::ranges::any_of(
+			Overload.Declaration->Attributes, [](const FAttribute& Each) { return Each.Name == "numthreads"; });
+	};
+	if (Found != File->Symbols.end() && Found->second.Kind == ESymbol::Functions)
+	{
+		for (FOverload* Overload : Found->second.Overloads)
+		{
+			const bool bBody = Overload->Declaration->Body && !Overload->Declaration->bTemplate;
+			if (bBody && (!Best || Options.Stage != EStage::Compute || HasThreads(*Overload) || !HasThreads(*Best)))
+			{
+				Best = Overload;
+			}
+		}
+	}
+	if (!Best)
+	{
+		Here.Order = NumDeclarations;
+		std::vector<std::string> Known;
+		for (const auto& [Name, Symbol] : File->Symbols)
+		{
+			const bool bBody = std::ranges::any_of(
+				Symbol.Overloads, [](const FOverload* Each) { return Each->Declaration->Body != nullptr; });
+			if (Symbol.Kind == ESymbol::Functions && bBody)
+			{
+				Known.emplace_back(Name);
+			}
+		}
+		std::ranges::sort(Known);
+		Error(FPlace(),
+			"entry point '" + Options.EntryPoint + "' does not exist in this shader" +
+				SuggestName(Options.EntryPoint, Known),
+			6011);
+	}
+	return Best;
+}
+
+void FAnalyser::AnalyseEntry()
+{
+	FOverload* const Overload = FindEntry();
+	if (!Overload)
+	{
+		return;
+	}
+	PrepareOverloads(File->Symbols.find(Options.EntryPoint)->second);
+	const FDeclaration& Declaration = *Overload->Declaration;
+	FPosition Position;
+	Position.Scope = File;
+	Position.Order = Overload->BodyOrder;
+	const FPositionGuard Guard(*this, Position);
+	ReadEntryAttributes(Declaration);
+	if (!Sign(*Overload))
+	{
+		return;
+	}
+	FFunction* const Function = Program->Make<FFunction>();
+	Function->Name = Options.EntryPoint;
+	Function->Place = Declaration.Place;
+	Function->Result = Overload->Result;
+	Function->Semantic = FindSemantic(Declaration.Annotations);
+	Program->Entry = Function;
+	Overload->Made[nullptr] = Function;
+	AddParameters(*Function, *Overload, true);
+	if (Function->Result->Kind != EType::Void && Function->Semantic.empty())
+	{
+		CheckSemantics(Function->Result, "what '" + Function->Name + "' returns", Declaration.Place);
+	}
+	Work.emplace_back(Function, Overload);
+}
+
+void FAnalyser::AddParameters(FFunction& Function, FOverload& Overload, bool bEntry)
+{
+	for (size_t i = 0; i < Overload.Parameters.size(); ++i)
+	{
+		const FDeclaration& Declaration = *Overload.Declared[i];
+		const FParameterType& Parameter = Overload.Parameters[i];
+		FVariable& Variable = *Program->Make<FVariable>();
+		Variable.Name = std::string(Declaration.Name.Last());
+		Variable.Type = Parameter.Type;
+		Variable.Place = Declaration.Place;
+		Variable.Modifiers = Declaration.Modifiers | Declaration.Type->Modifiers | (Parameter.bIn ? ModifierIn : 0u);
+		Variable.ResourceName = Variable.Name;
+		Variable.Storage = EStorage::Parameter;
+		const bool bGlobal = bEntry && (Declaration.Modifiers & ModifierUniform || HasObject(Parameter.Type));
+		if (bGlobal)
+		{
+			AddEntryParameter(Variable, Declaration);
+			continue;
+		}
+		Variable.Index = uint32_t(Function.Parameters.size());
+		Function.Parameters.push_back(&Variable);
+		if (bEntry)
+		{
+			Variable.Semantic = FindSemantic(Declaration.Annotations);
+			if (Variable.Semantic.empty())
+			{
+				CheckSemantics(Variable.Type, "'" + Variable.Name + "'", Variable.Place);
+			}
+		}
+	}
+}
+
+/** A uniform parameter is one of the shader's. */
+void FAnalyser::AddEntryParameter(FVariable& Variable, const FDeclaration& Declaration)
+{
+	const FMade Made{Here.Order, &Variable};
+	EntryUniforms.push_back(&Variable);
+	if (HasObject(Variable.Type))
+	{
+		Variable.Storage = EStorage::Resource;
+		Resources.push_back(Made);
+		return;
+	}
+	AddLoose(Variable, Declaration);
+	Loose.push_back(Made);
+}
+
+void FAnalyser::CheckSemantics(const FType* Type, const std::string& Name, const FPlace& Place)
+{
+	while (Type->IsArray())
+	{
+		Type = Type->Element;
+	}
+	if (!Type->IsStruct())
+	{
+		Error(Place, "X3502: " + Name +
+						 " of the entry is missing its semantic; write : TEXCOORD0, : SV_Position, : SV_Target0 or the "
+						 "like behind it");
+		return;
+	}
+	for (const FMember& Member : Type->Struct->Members)
+	{
+		if (Member.Semantic.empty())
+		{
+			CheckSemantics(Member.Type, "the member '" + Member.Name + "' of '" + GetName(Type) + "'", Member.Place);
+		}
+	}
+}
+
+/** In capital letters, with an index. */
+std::string FAnalyser::FindSemantic(const std::vector<FAnnotation>& Annotations) const
+{
+	for (const FAnnotation& Annotation : Annotations)
+	{
+		if (Annotation.Name == "register" || Annotation.Name == "packoffset" || Annotation.Name.empty())
+		{
+			continue;
+		}
+		std::string Name(Annotation.Name);
+		std::ranges::transform(
+			Name, Name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
+		const bool bIndex = Name.back() >= '0' && Name.back() <= '9';
+		return bIndex ? Name : Name + "0";
+	}
+	return {};
+}
+
+void FAnalyser::ReadEntryAttributes(const FDeclaration& Declaration)
+{
+	bool bGroup = false;
+	for (const FAttribute& Attribute : Declaration.Attributes)
+	{
+		if (Attribute.Name == "numthreads" && Options.Stage == EStage::Compute)
+		{
+			bGroup = true;
+			ReadGroupSize(Declaration, Attribute);
+		}
+		else if (Attribute.Name == "wavesize" && !Attribute.Arguments.empty())
+		{
+			const std::optional<int64_t> Size = FindInteger(*Attribute.Arguments[0], "the number of [WaveSize]");
+			if (Size && (*Size < 4 || *Size > 128 || (*Size & (*Size - 1)) != 0))
+			{
+				Error(Attribute.Place, "[WaveSize(N)] takes 4, 8, 16, 32, 64 or 128, not " + std::to_string(*Size));
+			}
+			Program->WaveSize = Size ? uint32_t(*Size) : 0;
+		}
+		else if (Attribute.Name == "earlydepthstencil")
+		{
+			Program->bEarlyDepthStencil = true;
+		}
+	}
+	if (Options.Stage == EStage::Compute && !bGroup)
+	{
+		Error(Declaration.Place,
+			"the compute shader '" + Options.EntryPoint + "' has no [numthreads(X, Y, Z)] before it: its group's size");
+	}
+}
+
+void FAnalyser::ReadGroupSize(const FDeclaration& Declaration, const FAttribute& Attribute)
+{
+	(void)Declaration;
+	const std::string Of = "[numthreads] of '" + Options.EntryPoint + "'";
+	if (Attribute.Arguments.size() != 3)
+	{
+		Error(Attribute.Place,
+			Of + " has " + std::to_string(Attribute.Arguments.size()) + " numbers; wanted are three from 1 on");
+		return;
+	}
+	int64_t Threads = 1;
+	for (size_t i = 0; i < 3; ++i)
+	{
+		const std::optional<int64_t> Size = FindInteger(*Attribute.Arguments[i], "a number of [numthreads]");
+		if (!Size)
+		{
+			return;
+		}
+		if (*Size < 1)
+		{
+			Error(Attribute.Arguments[i]->Place, Of + (*Size < 0 ? " has a negative number; wanted are three from 1 on"
+																 : " has a 0; wanted are three from 1 on"));
+			return;
+		}
+		const int64_t Most = i == 2 ? 64 : MaxGroupThreads;
+		Threads *= std::min(*Size, MaxGroupThreads + 1);
+		if (*Size > Most || Threads > MaxGroupThreads)
+		{
+			Error(Attribute.Arguments[i]->Place,
+				"X3663: " + Of + " has too many threads: a group has at most 1024, and at most 64 in z");
+			return;
+		}
+		Program->GroupSize[i] = uint32_t(*Size);
+	}
+}
+
+} // namespace Drydock::Hlsl

@@ -1,0 +1,150 @@
+// Inlines calls and makes values of variables, by SPIRV-Tools. Its passes are those that glslang registers for HLSL;
+// what it would compute by rules of its own is hidden from it.
+#include "HlslEmitter.h"
+
+#include "HlslModule.h"
+
+#include <spirv-tools/optimizer.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace Drydock::Hlsl
+{
+
+using namespace Spirv;
+
+namespace
+{
+
+constexpr uint32_t OptimiseMark = 218; // OpEmitVertex, which no shader here has
+constexpr uint32_t OptimiseWaveVersion = 0x10300;
+
+// Divisions as operations that the optimiser computes nothing of and that HLSL has no word for: OpIAddCarry and the
+// three behind it.
+constexpr std::pair<uint16_t, uint16_t> OptimiseHidden[] = {
+	{OpSDiv, 149},
+	{OpUDiv, 150},
+	{OpSRem, 151},
+	{OpUMod, 152},
+};
+
+/** Calls f(First, Count) for each instruction. */
+template<typename F>
+void ForEachOptimised(const FWords& Words, F f)
+{
+	for (size_t At = HeaderWords; At < Words.size() && Words[At] >> 16 != 0; At += Words[At] >> 16)
+	{
+		f(At, Words[At] >> 16);
+	}
+}
+
+/** The optimiser drops loops without an effect, those without an end too: each header gets an effect. It makes 0 of
+ * what is divided by 0, and ends by a signal at the least number divided by -1: such divisions are hidden. */
+FWords HideFromOptimiser(const FWords& Words)
+{
+	FWords Result(Words.begin(), Words.begin() + HeaderWords);
+	AddWords(Result, OpCapability, {CapabilityRoundingModeRTE}); // nothing of floats is folded in such a module
+	std::map<uint32_t, uint32_t> Numbers;
+	ForEachOptimised(Words,
+		[&](size_t First, uint32_t Count)
+		{
+			const uint16_t Opcode = uint16_t(Words[First]);
+			if (Opcode == OpConstant && Count == 4)
+			{
+				Numbers[Words[First + 2]] = Words[First + 3];
+			}
+			if (Opcode == OpLoopMerge)
+			{
+				Result.push_back(1u << 16 | OptimiseMark);
+			}
+			Result.insert(Result.end(), Words.begin() + ptrdiff_t(First), Words.begin() + ptrdiff_t(First + Count));
+			const auto Hidden = std::ranges::find(OptimiseHidden, Opcode, [](const auto& Pair) { return Pair.first; });
+			if (Hidden != std::end(OptimiseHidden))
+			{
+				const auto Divisor = Numbers.find(Words[First + 4]);
+				const bool bSafe = Divisor != Numbers.end() && Divisor->second != 0 && Divisor->second != ~0u;
+				Result[Result.size() - Count] = Count << 16 | (bSafe ? Opcode : Hidden->second);
+			}
+		});
+	return Result;
+}
+
+FWords ShowAgain(const FWords& Words)
+{
+	FWords Result(Words.begin(), Words.begin() + HeaderWords);
+	ForEachOptimised(Words,
+		[&](size_t First, uint32_t Count)
+		{
+			const uint16_t Opcode = uint16_t(Words[First]);
+			if (Opcode == OptimiseMark || (Opcode == OpCapability && Words[First + 1] == CapabilityRoundingModeRTE))
+			{
+				return;
+			}
+			Result.insert(Result.end(), Words.begin() + ptrdiff_t(First), Words.begin() + ptrdiff_t(First + Count));
+			const auto Hidden = std::ranges::find(OptimiseHidden, Opcode, [](const auto& Pair) { return Pair.second; });
+			if (Hidden != std::end(OptimiseHidden))
+			{
+				Result[Result.size() - Count] = Count << 16 | Hidden->first;
+			}
+		});
+	return Result;
+}
+
+void RegisterOptimiserPasses(spvtools::Optimizer& Optimizer)
+{
+	Optimizer.RegisterPass(spvtools::CreateWrapOpKillPass())
+		.RegisterPass(spvtools::CreateDeadBranchElimPass())
+		.RegisterPass(spvtools::CreateMergeReturnPass())
+		.RegisterPass(spvtools::CreateInlineExhaustivePass())
+		.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+		.RegisterPass(spvtools::CreateScalarReplacementPass())
+		.RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+		.RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+		.RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+		.RegisterPass(spvtools::CreateSimplificationPass())
+		.RegisterPass(spvtools::CreateAggressiveDCEPass())
+		.RegisterPass(spvtools::CreateVectorDCEPass())
+		.RegisterPass(spvtools::CreateDeadInsertElimPass())
+		.RegisterPass(spvtools::CreateAggressiveDCEPass())
+		.RegisterPass(spvtools::CreateDeadBranchElimPass())
+		.RegisterPass(spvtools::CreateBlockMergePass())
+		.RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
+		.RegisterPass(spvtools::CreateIfConversionPass())
+		.RegisterPass(spvtools::CreateSimplificationPass())
+		.RegisterPass(spvtools::CreateAggressiveDCEPass())
+		.RegisterPass(spvtools::CreateVectorDCEPass())
+		.RegisterPass(spvtools::CreateDeadInsertElimPass())
+		.RegisterPass(spvtools::CreateAggressiveDCEPass())
+		.RegisterPass(spvtools::CreateCFGCleanupPass());
+}
+
+} // namespace
+
+std::vector<uint32_t> Optimise(const std::vector<uint32_t>& Words, std::string& Error)
+{
+	const bool bWaves = Words.at(1) >= OptimiseWaveVersion;
+	spvtools::Optimizer Optimizer(bWaves ? SPV_ENV_VULKAN_1_1 : SPV_ENV_VULKAN_1_0);
+	Optimizer.SetMessageConsumer(
+		[&Error](spv_message_level_t Level, const char*, const spv_position_t&, const char* Message)
+		{
+			if (Level <= SPV_MSG_ERROR)
+			{
+				Error += Error.empty() ? Message : std::string("; ") + Message;
+			}
+		});
+	RegisterOptimiserPasses(Optimizer);
+	spvtools::OptimizerOptions Options;
+	Options.set_run_validator(false);
+	const FWords Hidden = HideFromOptimiser(Words);
+	FWords Result;
+	if (!Optimizer.Run(Hidden.data(), Hidden.size(), &Result, Options))
+	{
+		Error = Error.empty() ? "the optimiser gave no result" : Error;
+		return {};
+	}
+	Error.clear();
+	return ShowAgain(Result);
+}
+
+} // namespace Drydock::Hlsl
