@@ -310,6 +310,7 @@ private:
 	FVariable* MakeTemporary(const FType* Type, const FPlace& Place);
 	FValue* MakeOnce(FValue* Value, std::vector<FValue*>& Before);
 	FValue* MakeCommas(std::vector<FValue*> Values);
+	FValue* MakeSequence(std::vector<FValue*> Before, FValue* Value, const std::vector<FValue*>& After);
 	FValue* Settle(FValue* Value);
 	FValue* Simplify(FValue* Value);
 	FValue* Convert(FValue* Value, const FType* To, bool bExplicit = false);
@@ -357,7 +358,12 @@ private:
 	FOverload* Choose(FSymbol& Symbol, const FNamePart& Part, const FArguments& Arguments, std::string& Why);
 	FOverload* ChooseMoreSpecial(const std::vector<FOverload*>& Candidates, const std::vector<size_t>& Equal);
 	FValue* MakeCall(FOverload& Overload, FValue* Object, const FArguments& Arguments, const FPlace& Place);
-	FValue* MakeArgument(FOverload& Overload, size_t Index, FValue* Value, const FPlace& Place);
+	FValue* MakeArgument(
+		FOverload& Overload, size_t Index, FValue* Value, std::vector<FValue*>& Before, std::vector<FValue*>& After);
+	FValue* MakeBaseArgument(
+		const FParameterType& Parameter, FValue* Value, std::vector<FValue*>& Before, std::vector<FValue*>& After);
+	bool IsDerived(const FType* Type, const FType* Base);
+	void CopyMembers(FValue* To, FValue* From, const FType* Base, std::vector<FValue*>& Steps);
 	FFunction* Require(FOverload& Overload, const FType* This);
 	std::string Describe(const FOverload& Overload, std::string_view Name) const;
 
@@ -435,7 +441,7 @@ private:
 	std::deque<FStructInfo> Structs;
 	std::deque<std::string> Texts;
 	std::map<std::pair<const FStruct*, FNameScope*>, FStructInfo*> StructsByTree;
-	std::map<const FEnum*, FSymbol*> EnumsByTree;
+	std::map<std::pair<const FEnum*, const FNameScope*>, FSymbol*> EnumsByTree;
 	std::vector<std::pair<const FDeclaration*, FNameScope*>>
 		Outside; // functions that are defined outside of their struct
 	std::vector<std::pair<const FDeclaration*, FNameScope*>> Asserts;

@@ -67,6 +67,12 @@ FValue* FAnalyser::CallIntrinsic(std::string_view Name, FArguments& Arguments, c
 			return Fail(Place, "X3000: '" + std::string(Name) + "' takes no list in braces; write float4(...)");
 		}
 		Each = ToPlain(OpenConstantBuffer(Each));
+		const bool bAtomic =
+			Name.starts_with("Interlocked") && Given.empty() && Name != "InterlockedMin" && Name != "InterlockedMax";
+		FValue* const Target = bAtomic ? Uncast(Each) : Each; // `(uint)X` of an int
+		const bool bSign = Target != Each && IsInteger(Target->Type->Scalar) &&
+						   Types->GetBits(Target->Type->Scalar) == Types->GetBits(Each->Type->Scalar);
+		Each = bSign ? Target : Each;
 		Given.push_back(Each->Type);
 	}
 	const bool bWhole = Name == "select" && Given.size() == 3 && (Given[1]->IsStruct() || Given[1]->IsArray());
@@ -222,19 +228,7 @@ FValue* FAnalyser::FinishBuiltIn(EValue Kind, const FIntrinsicCall& Call, std::v
 	}
 	FValue* const Value = Make(Kind, Call.Result, Place, std::move(Values));
 	Value->Name = Call.Name;
-	if (After.empty())
-	{
-		return Kind == EValue::Intrinsic ? Simplify(Value) : Value;
-	}
-	if (Call.Result->Kind == EType::Void)
-	{
-		After.insert(After.begin(), Value);
-		return MakeCommas(std::move(After));
-	}
-	FVariable* const Result = MakeTemporary(Call.Result, Place);
-	After.insert(After.begin(), Make(EValue::Assign, Call.Result, Place, {MakeVariable(*Result, Place), Value}));
-	After.push_back(MakeVariable(*Result, Place));
-	return MakeCommas(std::move(After));
+	return !After.empty() ? MakeSequence({}, Value, After) : Kind == EValue::Intrinsic ? Simplify(Value) : Value;
 }
 
 /** float4(A, B): as many numbers as the type has. Anything else with one argument is a cast. */

@@ -4,7 +4,39 @@
 namespace Drydock::Hlsl
 {
 
-FValue* FAnalyser::MakeArgument(FOverload& Overload, size_t Index, FValue* Value, const FPlace& Place)
+bool FAnalyser::IsDerived(const FType* Type, const FType* Base)
+{
+	return Type->IsStruct() && Base->IsStruct() && Type != Base && FindConversion(*Types, Type, Base).bPossible;
+}
+
+/** The members of a base, one by one. */
+void FAnalyser::CopyMembers(FValue* To, FValue* From, const FType* Base, std::vector<FValue*>& Steps)
+{
+	for (size_t i = 0; i < Base->Struct->Members.size(); ++i)
+	{
+		FSymbol Field;
+		Field.Index = uint32_t(i);
+		FValue* const Target = MakeField(To, Field, To->Place);
+		Steps.push_back(Make(EValue::Assign, Target->Type, To->Place, {Target, MakeField(From, Field, To->Place)}));
+	}
+}
+
+/** A struct where its base is written to. */
+FValue* FAnalyser::MakeBaseArgument(
+	const FParameterType& Parameter, FValue* Value, std::vector<FValue*>& Before, std::vector<FValue*>& After)
+{
+	FVariable* const Temporary = MakeTemporary(Parameter.Type, Value->Place);
+	FValue* const Copy = MakeVariable(*Temporary, Value->Place);
+	if (Parameter.bIn)
+	{
+		Before.push_back(Make(EValue::Assign, Parameter.Type, Value->Place, {Copy, Convert(Value, Parameter.Type)}));
+	}
+	CopyMembers(Value, Copy, Parameter.Type, After);
+	return Copy;
+}
+
+FValue* FAnalyser::MakeArgument(
+	FOverload& Overload, size_t Index, FValue* Value, std::vector<FValue*>& Before, std::vector<FValue*>& After)
 {
 	const FParameterType& Parameter = Overload.Parameters[Index];
 	if (!Parameter.bOut)
@@ -12,10 +44,15 @@ FValue* FAnalyser::MakeArgument(FOverload& Overload, size_t Index, FValue* Value
 		return Convert(Value, Parameter.Type);
 	}
 	const std::string What = "argument " + std::to_string(Index + 1) + (Parameter.bIn ? " (inout)" : " (out)");
-	Value = Uncast(Value);
+	const bool bBase = Value->Kind == EValue::Cast && IsDerived(Value->Operands[0]->Type, Value->Type);
+	Value = bBase ? Value->Operands[0] : Uncast(Value);
 	if (!RequirePlace(Value, What))
 	{
-		return MakeError(Place);
+		return MakeError(Value->Place);
+	}
+	if (IsDerived(Value->Type, Parameter.Type))
+	{
+		return MakeBaseArgument(Parameter, Value, Before, After);
 	}
 	const bool bIn = !Parameter.bIn || FindConversion(*Types, Value->Type, Parameter.Type).bPossible;
 	const FConversion Back = FindConversion(*Types, Parameter.Type, Value->Type);
@@ -42,6 +79,7 @@ FValue* FAnalyser::MakeCall(FOverload& Overload, FValue* Object, const FArgument
 							   std::to_string(Declaration.Place.Line) + ", but nothing defines it: it has no body");
 	}
 	std::vector<FValue*> Before;
+	std::vector<FValue*> After;
 	FValue* const Call = Make(EValue::Call, Overload.Result, Place);
 	if (Object)
 	{
@@ -63,7 +101,7 @@ FValue* FAnalyser::MakeCall(FOverload& Overload, FValue* Object, const FArgument
 		FValue* Value = nullptr;
 		if (i < Arguments.Values.size() && Arguments.Values[i])
 		{
-			Value = MakeArgument(Overload, i, Arguments.Values[i], Place);
+			Value = MakeArgument(Overload, i, Arguments.Values[i], Before, After);
 		}
 		else if (i < Arguments.Values.size())
 		{
@@ -86,8 +124,7 @@ FValue* FAnalyser::MakeCall(FOverload& Overload, FValue* Object, const FArgument
 	}
 	Call->Function = Require(Overload, This);
 	Calls[Here.Function].emplace_back(Call->Function, Place);
-	Before.push_back(Call);
-	return MakeCommas(std::move(Before));
+	return MakeSequence(std::move(Before), Call, After);
 }
 
 /** The function of an overload; a method's for the type of its object, which may be derived. */

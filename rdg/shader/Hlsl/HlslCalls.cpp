@@ -17,6 +17,23 @@ bool IsFunctionTemplate(const FOverload& Overload)
 		   !Overload.bOutside;
 }
 
+/** min10float and min16float, which are one type here. */
+bool IsOtherWidth(const FDeclaration& A, const FDeclaration& B)
+{
+	for (size_t i = 0; i < A.Parameters.size() && i < B.Parameters.size(); ++i)
+	{
+		const FName& First = A.Parameters[i]->Type->Name;
+		const FName& Second = B.Parameters[i]->Type->Name;
+		const bool bNamed = !First.Parts.empty() && !Second.Parts.empty();
+		const bool bSmall = bNamed && (First.Last().starts_with("min") || Second.Last().starts_with("min"));
+		if (bSmall && First.Last() != Second.Last())
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
 bool IsStaticMethod(const FOverload& Overload)
 {
 	return (Overload.Declaration->Modifiers & ModifierStatic) != 0;
@@ -302,7 +319,7 @@ void FAnalyser::PrepareOverloads(FSymbol& Symbol)
 			{
 				continue;
 			}
-			if (A.Body && B.Body)
+			if (A.Body && B.Body && !IsOtherWidth(A, B))
 			{
 				Error(B.Place, "X3003: redefinition of '" + Describe(*All[i], Symbol.Name) + "', which line " +
 								   std::to_string(A.Place.Line) + " defines");

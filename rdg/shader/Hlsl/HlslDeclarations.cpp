@@ -90,7 +90,7 @@ const FType* FAnalyser::FindType(const FTypeName& Name, uint32_t Modifiers)
 	else if (Name.Enum)
 	{
 		EnterEnum(*Name.Enum, *Here.Scope);
-		const auto Known = EnumsByTree.find(Name.Enum);
+		const auto Known = EnumsByTree.find({Name.Enum, Here.Scope});
 		Type = Known == EnumsByTree.end() ? Types->Error() : CompleteEnum(*Known->second);
 	}
 	else

@@ -258,6 +258,15 @@ FValue* FAnalyser::AnalyseAssign(const FExpression& Tree)
 	{
 		return MakeError(Tree.Place);
 	}
+	if (Left->Kind == EValue::Cast && IsDerived(Left->Operands[0]->Type, Left->Type) && Tree.Text == "=" &&
+		RequirePlace(Left->Operands[0], "'='"))
+	{
+		std::vector<FValue*> Steps;
+		Right = Convert(Right, Left->Type);
+		FValue* const From = IsError(Right) ? Right : MakeOnce(Right, Steps);
+		CopyMembers(Left->Operands[0], From, Left->Type, Steps);
+		return IsError(Right) || Steps.empty() ? MakeError(Tree.Place) : MakeCommas(std::move(Steps));
+	}
 	if (FValue* const Place = Uncast(Left); Place != Left && Tree.Text == "=")
 	{
 		Right = Convert(Right, Left->Type);

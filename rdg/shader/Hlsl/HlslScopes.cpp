@@ -153,7 +153,7 @@ void FAnalyser::EnterStruct(const FStruct& Struct, const FDeclaration* Declarati
 
 void FAnalyser::EnterEnum(const FEnum& Enum, FNameScope& Scope)
 {
-	if (EnumsByTree.count(&Enum))
+	if (EnumsByTree.count({&Enum, &Scope}))
 	{
 		return;
 	}
@@ -164,7 +164,7 @@ void FAnalyser::EnterEnum(const FEnum& Enum, FNameScope& Scope)
 		return;
 	}
 	Symbol->Enum = &Enum;
-	EnumsByTree[&Enum] = Symbol;
+	EnumsByTree[{&Enum, &Scope}] = Symbol;
 	Symbol->Inner = MakeScope(EScopeKind::Namespace, &Scope, std::string(Enum.Name));
 	for (const FEnumerator& Each : Enum.Enumerators)
 	{
@@ -188,6 +188,12 @@ void FAnalyser::EnterFunction(const FDeclaration& Declaration, FNameScope& Scope
 	}
 	const std::string_view Name =
 		Declaration.Operator.empty() ? Declaration.Name.Last() : Keep("operator" + std::string(Declaration.Operator));
+	if (!Declaration.Operator.empty() && !Scope.Struct)
+	{
+		Error(Declaration.Place, "overloading non-member '" + std::string(Name) +
+									 "' is not allowed; make it a method of the struct on its left");
+		return;
+	}
 	auto Known = Scope.Symbols.find(Name);
 	if (Known == Scope.Symbols.end() || Known->second.Kind != ESymbol::Functions)
 	{
@@ -421,8 +427,7 @@ FNameScope* FAnalyser::FindScopeOf(const FSymbol& Symbol, const FNamePart& Part)
 	{
 		return GetInfo(Type)->Scope;
 	}
-	const auto Enum = Type->IsEnum() ? EnumsByTree.find(static_cast<const FEnum*>(Type->EnumKey)) : EnumsByTree.end();
-	return Enum == EnumsByTree.end() ? nullptr : Enum->second->Inner;
+	return Type->IsEnum() ? static_cast<const FSymbol*>(Type->EnumKey)->Inner : nullptr;
 }
 
 /** For "did you mean". */

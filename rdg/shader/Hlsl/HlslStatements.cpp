@@ -249,12 +249,11 @@ bool FAnalyser::AnalyseSwitch(const FStatement& Statement, FCode& Code)
 	const FType* Type = Types->Error();
 	if (!IsError(Value))
 	{
-		const bool bInteger =
-			Value->Type->IsNumeric() && Value->Type->NumComponents() == 1 && !IsReal(Value->Type->Scalar);
-		if (!bInteger || Types->GetBits(Value->Type->Scalar) == 64)
+		const bool bScalar = Value->Type->IsNumeric() && Value->Type->NumComponents() == 1;
+		if (!bScalar || Types->GetBits(Value->Type->Scalar) == 64)
 		{
-			Error(Value->Place,
-				"X3000: switch takes an int or a uint, not '" + GetName(Value->Type) + "'; cast it: switch (int(...))");
+			Error(Value->Place, "X3000: switch takes an int or a uint, not '" + GetName(Value->Type) + "'" +
+									(bScalar ? "; cast it: switch (int(...))" : ""));
 		}
 		else
 		{
@@ -264,11 +263,10 @@ bool FAnalyser::AnalyseSwitch(const FStatement& Statement, FCode& Code)
 			Value = Convert(Value, Type);
 		}
 	}
-	FCode* const Inner = &Code;
 	Code.Value = Type->IsEnum()
 					 ? Convert(Value, Types->Scalar(IsUnsigned(Type->Scalar) ? EScalar::Uint : EScalar::Int), true)
 					 : Value;
-	const bool bGoesOn = AnalyseCases(*Statement.Body[0], Type, *Inner);
+	const bool bGoesOn = AnalyseCases(*Statement.Body[0], Type, Code);
 	const bool bDefault = std::ranges::any_of(Code.Cases, [](const FCase& Each) { return Each.bDefault; });
 	return bGoesOn || Here.bBreaks || !bDefault;
 }

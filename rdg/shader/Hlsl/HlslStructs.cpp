@@ -24,7 +24,7 @@ const FType* FAnalyser::CompleteEnum(FSymbol& Symbol)
 		Error(Enum.Base->Place, "X3000: an enumeration is of integers, not of '" + GetName(Base) + "'");
 	}
 	const EScalar Scalar = bGood ? Base->Scalar : EScalar::Int;
-	Symbol.Type = Types->Enum(Enum.Name.empty() ? "enum" : Enum.Name, &Enum, Scalar, Enum.bScoped);
+	Symbol.Type = Types->Enum(Enum.Name.empty() ? "enum" : Enum.Name, &Symbol, Scalar, Enum.bScoped);
 	int64_t Next = 0;
 	for (const FEnumerator& Each : Enum.Enumerators)
 	{

@@ -76,6 +76,25 @@ FValue* FAnalyser::MakeCommas(std::vector<FValue*> Values)
 	return Result;
 }
 
+/** Value, with steps before and behind it. */
+FValue* FAnalyser::MakeSequence(std::vector<FValue*> Before, FValue* Value, const std::vector<FValue*>& After)
+{
+	if (Before.empty() && After.empty())
+	{
+		return Value;
+	}
+	const bool bKept = !After.empty() && Value->Type->Kind != EType::Void;
+	FVariable* const Result = bKept ? MakeTemporary(Value->Type, Value->Place) : nullptr;
+	Before.push_back(
+		bKept ? Make(EValue::Assign, Value->Type, Value->Place, {MakeVariable(*Result, Value->Place), Value}) : Value);
+	Before.insert(Before.end(), After.begin(), After.end());
+	if (bKept)
+	{
+		Before.push_back(MakeVariable(*Result, Value->Place));
+	}
+	return MakeCommas(std::move(Before));
+}
+
 /** What is literal, as int or float: nothing else decides. */
 FValue* FAnalyser::Settle(FValue* Value)
 {

@@ -10,6 +10,8 @@ namespace Drydock::Hlsl
 namespace
 {
 
+constexpr uint64_t MaxBufferBytes = 65536;
+
 /** Bytes of `c3.y`; nothing where it is not of that form. */
 std::optional<uint32_t> ReadPackOffset(std::string_view Text)
 {
@@ -223,6 +225,16 @@ void FAnalyser::MakeBuffer(const FDeclaration& Declaration, FNameScope& Scope)
 		Buffer.Members.push_back(&Variable);
 	}
 	LayOut(Buffer);
+	if (!Buffer.Offsets.empty())
+	{
+		const FLayout Last = GetLayout(*Types, Buffer.Members.back()->Type, ELayout::Constants);
+		const uint64_t Size = uint64_t(Buffer.Offsets.back()) + Last.Size;
+		if (Size > MaxBufferBytes)
+		{
+			Error(Buffer.Place, "the buffer '" + Buffer.Name + "' has " + std::to_string(Size) +
+									" bytes; D3D has at most 65536, a StructuredBuffer more");
+		}
+	}
 	Buffers.emplace_back(Order, &Buffer);
 }
 
