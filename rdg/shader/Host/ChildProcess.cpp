@@ -119,7 +119,7 @@ int WaitFor(pid_t Process)
 
 /** A process group for a child and all that it starts, so that all of it can be ended. A shell in it waits for the end
  * of this process, however that comes, and ends the group then. */
-class FProcessGroup
+class FProcessGroup : private FNoncopyable
 {
 public:
 	FProcessGroup()
@@ -146,8 +146,6 @@ public:
 			close(Held);
 		}
 	}
-	FProcessGroup(const FProcessGroup&) = delete;
-	FProcessGroup& operator=(const FProcessGroup&) = delete;
 
 	pid_t Guard = 0; // the group has its number; 0: the shell is missing, and the child has a group of its own
 
