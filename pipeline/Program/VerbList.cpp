@@ -253,6 +253,8 @@ int PrintList(const FListOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddListOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FListOptions>();
@@ -269,15 +271,5 @@ FVerbCall AddListOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
 	return CallWith(Options, PrintList);
 }
-
-const FVerbRegistration GListRegistration({
-	.Name = "list",
-	.Place = 80,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "List passes, settings, console variables, effects, hooks, ...",
-	.AddOptions = AddListOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

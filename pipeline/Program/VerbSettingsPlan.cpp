@@ -129,6 +129,8 @@ int PrintPlan(const FSettingsPlanOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsPlanOptions>();
@@ -147,15 +149,5 @@ FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
 	return CallWith(Options, PrintPlan);
 }
-
-const FVerbRegistration GSettingsPlanRegistration({
-	.Name = "settings plan",
-	.Place = 103,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "List every place that an engine patch for settings changes",
-	.AddOptions = AddSettingsPlanOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -1,22 +1,10 @@
-// Collects the verbs that register themselves.
+// Makes the list of verbs from its rows.
 #include "Program/Verbs.h"
 
-#include <algorithm>
+#include "Program/ArgumentParser.h"
 
 namespace Drydock
 {
-
-namespace
-{
-
-/** Made by the first registration, because files are initialised in no defined order. */
-std::vector<FVerb>& GetRegistered()
-{
-	static std::vector<FVerb> Verbs;
-	return Verbs;
-}
-
-} // namespace
 
 const char* ToString(EVerbGroup Group)
 {
@@ -25,15 +13,19 @@ const char* ToString(EVerbGroup Group)
 	return Titles[size_t(Group)];
 }
 
-FVerbRegistration::FVerbRegistration(const FVerb& Verb)
+FVerbCall AddVerbsBelow(FVerbOptions& Verb)
 {
-	GetRegistered().push_back(Verb);
+	Verb.RequireVerb();
+	return nullptr;
 }
 
-std::vector<FVerb> GetVerbs()
+const std::vector<FVerb>& GetVerbs()
 {
-	std::vector<FVerb> Verbs = GetRegistered();
-	std::sort(Verbs.begin(), Verbs.end(), [](const FVerb& A, const FVerb& B) { return A.Place < B.Place; });
+	static const std::vector<FVerb> Verbs = {
+#define DRYDOCK_VERB(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, AddOptions},
+#include "Program/VerbList.inl"
+#undef DRYDOCK_VERB
+	};
 	return Verbs;
 }
 
