@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 
 namespace Drydock
 {
@@ -92,8 +91,7 @@ std::string MakePlanDiff(const FSettingsPlanOptions& Options, const std::vector<
 	for (const FSettingPlace& Place : Places)
 	{
 		FOverlayHunk& Hunk = Hunks.emplace_back(FOverlayHunk{Place.File, Place.Where, "", false});
-		std::istringstream Lines(Place.Text);
-		for (std::string Line; std::getline(Lines, Line);)
+		for (const std::string& Line : SplitText(Place.Text))
 		{
 			Hunk.Lines += "+" + Line + "\n";
 		}

@@ -1,10 +1,12 @@
 // Small functions for text that several rooms share. Letters and digits are those of ASCII.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace Drydock
 {
@@ -45,6 +47,33 @@ inline std::string Trim(std::string_view Text)
 	const size_t First = Text.find_first_not_of(Blanks);
 	return std::string(
 		First == Text.npos ? std::string_view() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1));
+}
+
+/** The parts of a text between separators, its lines by default. A separator at the end is followed by no part. */
+inline std::vector<std::string> SplitText(std::string_view Text, char Separator = '\n')
+{
+	std::vector<std::string> Parts;
+	for (size_t Begin = 0; Begin < Text.size();)
+	{
+		const size_t End = std::min(Text.find(Separator, Begin), Text.size());
+		Parts.emplace_back(Text.substr(Begin, End - Begin));
+		Begin = End + 1;
+	}
+	return Parts;
+}
+
+/** The rows of a table: a line each, tabs between the columns. Empty lines and lines that begin with # are no rows. */
+inline std::vector<std::vector<std::string>> SplitRows(std::string_view Text)
+{
+	std::vector<std::vector<std::string>> Rows;
+	for (const std::string& Line : SplitText(Text))
+	{
+		if (!Line.empty() && Line[0] != '#')
+		{
+			Rows.push_back(SplitText(Line, '\t'));
+		}
+	}
+	return Rows;
 }
 
 /** The strings of a range, or those that a function gives for its items, with the separator between them. */

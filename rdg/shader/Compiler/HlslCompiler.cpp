@@ -4,9 +4,9 @@
 
 #include "KernelCompiler.h"
 #include "SpirvFile.h"
+#include "TextTools.h"
 
 #include <cstdlib>
-#include <sstream>
 
 namespace Drydock
 {
@@ -145,8 +145,7 @@ std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler
 std::vector<FDiagnostic> ParseCompilerMessages(const std::string& Output, const FShaderCompileRequest& Request)
 {
 	std::vector<FDiagnostic> Errors;
-	std::istringstream Lines(Output);
-	for (std::string Text; std::getline(Lines, Text);)
+	for (const std::string& Text : SplitText(Output))
 	{
 		// "...: error: text", "...: fatal error: text", "...: error 30015: text"
 		size_t Severity = Text.find(": error");

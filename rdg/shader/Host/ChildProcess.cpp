@@ -2,6 +2,7 @@
 #include "ChildProcess.h"
 
 #include "EndAction.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -12,7 +13,6 @@
 #include <filesystem>
 #include <poll.h>
 #include <spawn.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -210,9 +210,7 @@ std::string FindProgram(const std::string& Name)
 		return access(Name.c_str(), X_OK) == 0 && !std::filesystem::is_directory(Name) ? Name : std::string();
 	}
 	const char* Path = std::getenv("PATH");
-	std::istringstream Folders(Path ? Path : "");
-	std::string Folder;
-	while (std::getline(Folders, Folder, ':'))
+	for (const std::string& Folder : SplitText(Path ? Path : "", ':'))
 	{
 		const std::string Candidate = (Folder.empty() ? "." : Folder) + "/" + Name;
 		if (access(Candidate.c_str(), X_OK) == 0 && !std::filesystem::is_directory(Candidate))
