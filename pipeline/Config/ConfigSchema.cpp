@@ -7,6 +7,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		WriteType(Writer, "string");
 		if (!Of.empty())
 		{
-			WriteEnum(Writer, SplitAlternatives(Of));
+			WriteEnum(Writer, SplitText(Of, '|'));
 		}
 		break;
 	case EConfigKind::Number:
@@ -83,7 +84,7 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		WriteType(Writer, "string");
 		if (!Of.empty())
 		{
-			WriteEnum(Writer, SplitAlternatives(Of));
+			WriteEnum(Writer, SplitText(Of, '|'));
 		}
 		Writer.EndObject();
 		break;
