@@ -62,7 +62,8 @@ inline std::vector<std::string> SplitText(std::string_view Text, char Separator 
 	return Parts;
 }
 
-/** The rows of a table: a line each, tabs between the columns. Empty lines and lines that begin with # are no rows. */
+/** The rows of a table, a line each, with tabs between the columns. Empty lines and comments, which begin with #, are
+ * left out. */
 inline std::vector<std::vector<std::string>> SplitRows(std::string_view Text)
 {
 	std::vector<std::vector<std::string>> Rows;
