@@ -77,8 +77,7 @@ std::vector<FSequenceFrame> FindFrames(const FConfig& Config, const std::string&
 const FSequenceFrame& FindFrame(
 	const FConfig& Config, const std::string& Pattern, const std::vector<FSequenceFrame>& Frames, int Number)
 {
-	const auto Found = std::find_if(
-		Frames.begin(), Frames.end(), [&](const FSequenceFrame& Candidate) { return Candidate.Number == Number; });
+	const auto Found = std::ranges::find(Frames, Number, &FSequenceFrame::Number);
 	if (Found == Frames.end())
 	{
 		ThrowNoFrame(Config, "there is no frame " + std::to_string(Number) + " of " + Config.Resolve(Pattern) +
