@@ -108,15 +108,8 @@ std::string FormatConsoleVariablesAsJson(const std::vector<FConsoleVariableInfo>
 	Writer.BeginArray();
 	for (const FConsoleVariableInfo& Info : Infos)
 	{
-		Writer.BeginObject(true);
-		Writer.Member("name", *Info.Name);
-		Writer.Member("type", *Info.Type);
-		Writer.Member("value", *Info.Value);
-		Writer.Member("default", *Info.Default);
-		Writer.Member("setBy", *Info.SetBy);
-		Writer.Member("simulated", !Info.bNotSimulated);
-		Writer.Member("help", *Info.Help);
-		Writer.EndObject();
+		Writer.Object({{"name", *Info.Name}, {"type", *Info.Type}, {"value", *Info.Value}, {"default", *Info.Default},
+			{"setBy", *Info.SetBy}, {"simulated", !Info.bNotSimulated}, {"help", *Info.Help}});
 	}
 	Writer.EndArray();
 	return Writer.GetText();
