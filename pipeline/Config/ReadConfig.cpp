@@ -8,9 +8,9 @@
 #include "ShowFlags.h"
 #include "Text/LimitErrors.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <tuple>
 
 namespace Drydock
@@ -85,11 +85,8 @@ bool VariableText(const FJsonValue& Value, std::string& OutText)
 		OutText = Value.Bool ? "1" : "0";
 		return true;
 	case EJsonType::Number:
-	{
-		char Buffer[64];
-		OutText = std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Value.Number).ptr);
+		OutText = FormatShortest(Value.Number);
 		return true;
-	}
 	default:
 		return false;
 	}

@@ -22,11 +22,8 @@ std::string Wrap(const std::string& Text, const std::string& FirstIndent, const 
 	std::string Wrapped;
 	std::string Line = FirstIndent;
 	bool bEmpty = true;
-	for (size_t Begin = 0; Begin < Text.size();)
+	for (const std::string& Word : SplitText(Text, ' '))
 	{
-		const size_t End = std::min(Text.find(' ', Begin), Text.size());
-		const std::string Word = Text.substr(Begin, End - Begin);
-		Begin = End + 1;
 		if (!bEmpty && Line.size() + 1 + Word.size() > Width)
 		{
 			Wrapped += Line + "\n";

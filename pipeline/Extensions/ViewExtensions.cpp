@@ -7,6 +7,7 @@
 #include "FinalPostProcessSettings.h"
 #include "PixelFormat.h"
 #include "PostProcessSettingsReflection.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -41,15 +42,13 @@ FPassesByScope SortByScope(const FRDGCompiledGraph& Graph)
 	FPassesByScope Passes;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		for (size_t Begin = 0; Begin < Pass.Scope.size();)
+		for (const std::string& Scope : SplitText(Pass.Scope, '/'))
 		{
-			const size_t End = std::min(Pass.Scope.find('/', Begin), Pass.Scope.size());
-			std::vector<const FRDGCompiledPass*>& Inside = Passes[Pass.Scope.substr(Begin, End - Begin)];
+			std::vector<const FRDGCompiledPass*>& Inside = Passes[Scope];
 			if (Inside.empty() || Inside.back() != &Pass)
 			{
 				Inside.push_back(&Pass);
 			}
-			Begin = End + 1;
 		}
 	}
 	return Passes;

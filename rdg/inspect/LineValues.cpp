@@ -6,7 +6,6 @@
 #include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <deque>
 #include <map>
 #include <set>
@@ -204,9 +203,8 @@ FLinePlace ParseLinePlace(const std::string& Text)
 	FLinePlace Place;
 	Place.File = Text.substr(0, Colon);
 	const std::string Number = Colon == std::string::npos ? std::string() : Text.substr(Colon + 1, Second - Colon - 1);
-	const std::from_chars_result Read = std::from_chars(Number.data(), Number.data() + Number.size(), Place.Line);
-	if (Place.File.empty() || Number.empty() || Read.ec != std::errc() || Read.ptr != Number.data() + Number.size() ||
-		Place.Line < 1)
+	Place.Line = ParseAll<int>(Number).value_or(0);
+	if (Place.File.empty() || Place.Line < 1)
 	{
 		throw FError({.Code = 1020,
 						 .Message = "'" + Text + "' is not a line; expected FILE.usf:LINE or FILE.usf:LINE:VARIABLE",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -107,6 +108,15 @@ inline std::string QuoteForCpp(const std::string& Text)
 		}
 	}
 	return Quoted + "\"";
+}
+
+/** The number that the whole text is; nothing where it is none. */
+template<typename T>
+std::optional<T> ParseAll(std::string_view Text)
+{
+	T Number{};
+	const std::from_chars_result Result = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
+	return Result.ec == std::errc() && Result.ptr == Text.data() + Text.size() ? std::optional(Number) : std::nullopt;
 }
 
 /** The shortest text that reads as the number again, in the precision of its type. */
