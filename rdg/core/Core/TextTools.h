@@ -110,6 +110,15 @@ inline std::string QuoteForCpp(const std::string& Text)
 	return Quoted + "\"";
 }
 
+/** The escape that C++, JSON and the engine's text have for a character; empty where it needs none. */
+constexpr std::string_view FindEscape(char Character)
+{
+	constexpr std::string_view Characters = "\"\\\n\r\t";
+	constexpr std::string_view Escapes[] = {"\\\"", "\\\\", "\\n", "\\r", "\\t"};
+	const size_t Index = Characters.find(Character);
+	return Index == Characters.npos ? std::string_view() : Escapes[Index];
+}
+
 /** The number that the whole text is; nothing where it is none. */
 template<typename T>
 std::optional<T> ParseAll(std::string_view Text)
