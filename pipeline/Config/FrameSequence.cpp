@@ -2,6 +2,7 @@
 #include "Config/FrameSequence.h"
 
 #include "Config/FrameList.h"
+#include "RangeTools.h"
 #include "Text/ConfigErrors.h"
 
 #include <algorithm>
@@ -165,17 +166,9 @@ std::vector<FSequenceFrame> ChooseSequenceFrames(
 		Throw("the scene is not a sequence: scene.file has no #### in its name");
 	}
 	const std::vector<FSequenceFrame> Existing = FindFrames(Config, Pattern);
-	std::vector<int> Numbers;
-	for (const FSequenceFrame& Frame : Existing)
-	{
-		Numbers.push_back(Frame.Number);
-	}
-	std::vector<FSequenceFrame> Frames;
-	for (const int Number : ListFrames(*Parsed, Numbers))
-	{
-		Frames.push_back(FindFrame(Config, Pattern, Existing, Number));
-	}
-	return Frames;
+	const std::vector<int> Numbers = ToVector<int>(Existing, &FSequenceFrame::Number);
+	return ToVector<FSequenceFrame>(
+		ListFrames(*Parsed, Numbers), [&](int Number) { return FindFrame(Config, Pattern, Existing, Number); });
 }
 
 } // namespace Drydock

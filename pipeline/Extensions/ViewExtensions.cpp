@@ -7,6 +7,7 @@
 #include "FinalPostProcessSettings.h"
 #include "PixelFormat.h"
 #include "PostProcessSettingsReflection.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -117,12 +118,7 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 
 std::vector<std::string> FViewExtensionFrame::GetNames() const
 {
-	std::vector<std::string> Names;
-	for (const FExtension& Extension : Extensions)
-	{
-		Names.push_back(Extension.Info.Name);
-	}
-	return Names;
+	return ToVector<std::string>(Extensions, [](const FExtension& Extension) { return Extension.Info.Name; });
 }
 
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)

@@ -6,6 +6,7 @@
 #include "Overlay/CppText.h"
 #include "Overlay/OverlayErrors.h"
 #include "Patch/PatchErrors.h"
+#include "RangeTools.h"
 #include "ShaderCore.h"
 #include "ShaderDirectories.h"
 #include "Text/TextFile.h"
@@ -156,12 +157,7 @@ void TakeHunks(
 
 std::vector<std::string> ListOverlayPasses()
 {
-	std::vector<std::string> Names;
-	for (const FPassFunction& Pass : GetPassFunctions())
-	{
-		Names.push_back(GetShortName(Pass.Name));
-	}
-	return Names;
+	return ToVector<std::string>(GetPassFunctions(), [](const FPassFunction& Pass) { return GetShortName(Pass.Name); });
 }
 
 std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::string& Pass)

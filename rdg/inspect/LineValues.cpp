@@ -3,6 +3,7 @@
 
 #include "AuthorsNames.h"
 #include "Diagnostics.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -98,11 +99,7 @@ std::string ListNear(const FLineSteps& Found, int Line)
 	{
 		ByLine[Step.Line].insert(Step.Name);
 	}
-	std::vector<int> Lines;
-	for (const auto& [Known, Names] : ByLine)
-	{
-		Lines.push_back(Known);
-	}
+	std::vector<int> Lines = ToVector<int>(ByLine, [](const auto& Each) { return Each.first; });
 	std::ranges::stable_sort(Lines, [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
 	Lines.resize(std::min<size_t>(Lines.size(), 4));
 	std::ranges::sort(Lines);

@@ -2,6 +2,7 @@
 #include "EngineNames.h"
 
 #include "InstallPaths.h"
+#include "RangeTools.h"
 #include "ShaderDirectories.h"
 #include "ShaderEntries.h"
 #include "ShaderSource.h"
@@ -36,11 +37,7 @@ const std::vector<FEngineName>& GetEngineNames()
 
 std::vector<size_t> ListDefinitions(const FHlslText& Text)
 {
-	std::vector<size_t> Names;
-	for (const FFunctionText& Function : ListFunctionTexts(Text))
-	{
-		Names.push_back(Function.Name);
-	}
+	std::vector<size_t> Names = ToVector<size_t>(ListFunctionTexts(Text), &FFunctionText::Name);
 	for (size_t At = 0; At < Text.Size(); At = std::max(At, Text.FindClose(At)) + 1)
 	{
 		if (Text.Is(At, "struct") && Text.IsWord(At + 1))
