@@ -3,6 +3,7 @@
 #include "SceneFile/SceneTexturePacking.h"
 
 #include "Math/ToInteger.h"
+#include "RangeTools.h"
 #include "SceneFile/SceneCamera.h"
 #include "TextTools.h"
 
