@@ -1,8 +1,6 @@
 // Makes the list of verbs from its rows.
 #include "Program/Verbs.h"
 
-#include "Program/ArgumentParser.h"
-
 namespace Drydock
 {
 
@@ -13,17 +11,11 @@ const char* ToString(EVerbGroup Group)
 	return Titles[size_t(Group)];
 }
 
-FVerbCall AddVerbsBelow(FVerbOptions& Verb)
-{
-	Verb.RequireVerb();
-	return nullptr;
-}
-
 const std::vector<FVerb>& GetVerbs()
 {
 	static const std::vector<FVerb> Verbs = {
 #define DRYDOCK_VERB(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, AddOptions},
-#include "Program/VerbList.inl"
+#include "Program/VerbTable.inl"
 #undef DRYDOCK_VERB
 	};
 	return Verbs;

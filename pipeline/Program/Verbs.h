@@ -1,4 +1,4 @@
-// The list of the program's verbs. Each has a row in VerbList.inl, and a file of its own (VerbRun.cpp, ...) with its
+// The list of the program's verbs. Each has a row in VerbTable.inl, and a file of its own (VerbRun.cpp, ...) with its
 // options.
 #pragma once
 
@@ -52,10 +52,10 @@ struct FVerb
 };
 
 #define DRYDOCK_VERB(Name, Group, AddOptions, Doc) FVerbCall AddOptions(FVerbOptions& Verb);
-#include "Program/VerbList.inl"
+#include "Program/VerbTable.inl"
 #undef DRYDOCK_VERB
 
-/** All verbs, in the order of VerbList.inl. */
+/** All verbs, in the order of VerbTable.inl. */
 const std::vector<FVerb>& GetVerbs();
 
 } // namespace Drydock

@@ -1,6 +1,6 @@
 // Every verb of the program, a row for each. --help lists the verbs of a group in the order of the rows.
-// DRYDOCK_VERB(name, group, function, doc): the name as it is typed ("settings plan" stands under the verb "settings"), an
-// EVerbGroup, the function that adds the options, and one line of --help, of 66 characters at most.
+// DRYDOCK_VERB(name, group, function, doc): the name as it is typed ("settings plan" stands under the verb "settings"),
+// an EVerbGroup, the function that adds the options, and one line of --help, of 66 characters at most.
 // clang-format off
 DRYDOCK_VERB("run", Run, AddRunOptions, "Run the frame of a config and write its pictures and reports")
 DRYDOCK_VERB("check", Run, AddCheckOptions, "Validate a config, compile its frame and shaders; draw nothing")
