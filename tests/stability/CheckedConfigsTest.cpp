@@ -49,9 +49,9 @@ TEST_P(CheckedConfig, HasNothingThatIsNotStated)
 	Options.bUseBudget = false;
 	Options.bExecute = false;
 	const FIntRect View = Drydock::RunConfig(Options).ViewRect;
-	const int X = View.Width() / 2 - 48, Y = View.Height() / 2 - 32; // the middle, where characters stand
+	const int X = View.Width() / 2 - 32, Y = View.Height() / 2 - 24; // the middle, where characters stand
 	Options.bExecute = true;
-	Options.ViewRects = {{X, Y, X + 96, Y + 64}};
+	Options.ViewRects = {{X, Y, X + 64, Y + 48}};
 	Drydock::FCheckCapture Capture(Drydock::MakeCheckSet({"all"}));
 	{
 		const Drydock::FScopedDispatchObserver Scope(Capture);

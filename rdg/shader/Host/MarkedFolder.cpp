@@ -43,27 +43,37 @@ std::string MakeMark(const FFileDescriptor& Folder, const FFileDescriptor& Mark)
 		   " " + std::to_string(OfMark.st_ino) + std::string(1, '\0');
 }
 
-/** The names that the mark lists, without one that was cut short. bOutMark: whether it is this folder's. */
-std::vector<std::string> ReadNames(const FFileDescriptor& Folder, const FFileDescriptor& Mark, bool& bOutMark)
-{
-	int Error = lseek(Mark.Get(), 0, SEEK_SET) == 0 ? 0 : errno;
-	const std::string Text = Error == 0 ? ReadToEnd(Mark, Error) : std::string();
-	const std::string Head = MakeMark(Folder, Mark);
-	bOutMark = Error == 0 && Text.starts_with(Head);
-	std::vector<std::string> Names;
-	for (size_t At = Head.size(), End; bOutMark && (End = Text.find('\0', At)) != std::string::npos; At = End + 1)
-	{
-		Names.push_back(Text.substr(At, End - At));
-	}
-	return Names;
-}
-
 /** A path to the open folder, whatever its own path leads to by now; the own path where /proc is missing. */
 std::string GetOpened(const std::string& Path, const FFileDescriptor& Folder)
 {
 	const std::string Opened = "/proc/self/fd/" + std::to_string(Folder.Get());
 	std::error_code Ignored;
 	return fs::is_directory(Opened, Ignored) ? Opened : Path;
+}
+
+/** Whether nothing but the mark is in the folder. */
+bool IsAlone(const FFileDescriptor& Folder)
+{
+	std::error_code Error;
+	const fs::directory_iterator First(GetOpened({}, Folder), Error);
+	return !Error && First != fs::directory_iterator() && First->path().filename() == MarkName &&
+		   std::distance(First, fs::directory_iterator()) == 1;
+}
+
+/** The names that the mark lists, without one that was cut short. bOutMark: whether it is this folder's. */
+std::vector<std::string> ReadNames(const FFileDescriptor& Folder, const FFileDescriptor& Mark, bool& bOutMark)
+{
+	int Error = lseek(Mark.Get(), 0, SEEK_SET) == 0 ? 0 : errno;
+	const std::string Text = Error == 0 ? ReadToEnd(Mark, Error) : std::string();
+	const std::string Head = MakeMark(Folder, Mark);
+	const bool bCutShort = Head.starts_with(Text) && IsAlone(Folder); // killed while it made the mark
+	bOutMark = Error == 0 && (Text.starts_with(Head) || bCutShort);
+	std::vector<std::string> Names;
+	for (size_t At = Head.size(), End; bOutMark && (End = Text.find('\0', At)) != std::string::npos; At = End + 1)
+	{
+		Names.push_back(Text.substr(At, End - At));
+	}
+	return Names;
 }
 
 /** Removes what the mark lists, the mark and then the folder, unless other things are in it. */
@@ -126,12 +136,19 @@ FMarkedFolder::FMarkedFolder(const std::string& Begin)
 		  })
 {
 	const FEndActionsHeld Held; // until its end is certain
-	Require(mkdtemp(Path.data()) ? 0 : errno);
-	Folder = FFileDescriptor(open(Path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-	Mark = FFileDescriptor(
-		openat(Folder.Get(), MarkName, O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
-	int Error = Mark ? 0 : errno;
-	flock(Mark.Get(), LOCK_EX | LOCK_NB); // before the mark is one
+	const std::string Template = Path;
+	int Error = 0;
+	struct stat Status = {};
+	do // again where somebody took the folder for an abandoned one before it was locked
+	{
+		Path = Template;
+		Require(mkdtemp(Path.data()) ? 0 : errno);
+		Folder = FFileDescriptor(open(Path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+		Mark = FFileDescriptor(
+			openat(Folder.Get(), MarkName, O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+		Error = Mark ? 0 : errno;
+		flock(Mark.Get(), LOCK_EX); // before the mark is one
+	} while (Mark && fstat(Mark.Get(), &Status) == 0 && Status.st_nlink == 0);
 	Error = Error == 0 ? WriteAll(Mark, MakeMark(Folder, Mark)) : Error;
 	if (Error != 0)
 	{

@@ -57,6 +57,24 @@ protected:
 		EXPECT_TRUE(WIFEXITED(Status) && WEXITSTATUS(Status) == 0) << ReadBytes(Temporary.Path / "log.txt");
 	}
 
+	/** Those that a run leaves where it is killed after it makes or empties one and before its mark stands or falls. */
+	void RemoveEmptyFolders(const std::string& Out) const
+	{
+		std::vector<std::filesystem::path> Empty;
+		for (const std::filesystem::directory_entry& Entry : std::filesystem::directory_iterator(Temporary.Path / Out))
+		{
+			if (Entry.is_directory() && Entry.path().string().find(".writing.") != std::string::npos &&
+				std::filesystem::is_empty(Entry.path()))
+			{
+				Empty.push_back(Entry.path());
+			}
+		}
+		for (const std::filesystem::path& Path : Empty)
+		{
+			std::filesystem::remove(Path);
+		}
+	}
+
 	const FTemporaryFolder Temporary{"drydock_killed"};
 };
 
@@ -86,6 +104,7 @@ TEST_F(SequenceProgram, KilledAtAnyMomentLosesNothing)
 			NumKilled += WIFSIGNALED(WaitFor(Child)) ? 1 : 0;
 		}
 		RunToTheEnd(Frames, Out);
+		RemoveEmptyFolders(Out);
 		EXPECT_TRUE(AreSameFolders(Temporary.Path / "whole", Temporary.Path / Out)) << "run " << Run;
 	}
 	EXPECT_GT(NumKilled, 5);

@@ -128,6 +128,30 @@ TEST_F(MarkedFolder, OfTheDeadIsRemoved)
 	EXPECT_TRUE(fs::exists(Living.GetPath()));
 }
 
+TEST_F(MarkedFolder, OfWhoDiedWhileMakingTheMarkIsRemovedIfNothingElseIsIn)
+{
+	const auto CutMark = [this](size_t Length)
+	{
+		const fs::path Folder = Abandon();
+		const std::string Whole = ReadBytes(Folder / ".drydock.mark");
+		fs::remove_all(Folder / "tools");
+		fs::remove(Folder / "kernel.cpp");
+		fs::resize_file(Folder / ".drydock.mark", std::min(Length, Whole.find('\0')));
+		return Folder;
+	};
+	for (const size_t Length : {size_t(0), size_t(10), std::string::npos})
+	{
+		CutMark(Length);
+	}
+	const fs::path Other = CutMark(0);
+	std::ofstream(Other / "thesis.txt") << "mine";
+	std::ofstream(CutMark(0) / ".drydock.mark") << "mine";
+	RemoveTemporaryFolders(Scratch.Path.string());
+	EXPECT_EQ(2u, ListFiles().size());
+	EXPECT_TRUE(fs::exists(Other / "thesis.txt"));
+	EXPECT_TRUE(fs::exists(Other / ".drydock.mark"));
+}
+
 TEST_F(MarkedFolder, WhatOnlyHasTheNameStays)
 {
 	for (const char* const Name : {"drydock-2026-11-27", "drydock-9999999-abcdef", "drydock-2024-fork"})

@@ -13,7 +13,7 @@
 namespace Drydock::Test
 {
 
-constexpr int GDefaultRandomPrograms = 60;
+constexpr int GDefaultRandomPrograms = 36;
 
 /** The seeds of a kind that has this share of all programs. DRYDOCK_RANDOM_PROGRAMS says how many those are,
  * DRYDOCK_RANDOM_FIRST the first of them, 0 unless told: runs that go on where another ends write no program twice
