@@ -18,6 +18,27 @@ if(DRYDOCK_INSTRUCTION_SETS STREQUAL "native" AND CMAKE_SYSTEM_PROCESSOR MATCHES
 	message(STATUS "Lane code is built for this CPU alone: ${DRYDOCK_BUILT_LANES} float lanes")
 endif()
 
+# The kernels of passes/Native with lanes: XLanes.inl has Drydock::TXLanes, which is made once for each number of lanes.
+set(DRYDOCK_NATIVE_LANES BloomSetup BoxSum TapSum TexelSum Tonemap)
+
+# drydock_add_native_lanes(SOURCES): writes the files that make them, and adds them to a list with passes/Native in it.
+function(drydock_add_native_lanes OutSources)
+	set(Sources ${${OutSources}})
+	if(Sources MATCHES "/passes/Native/")
+		foreach(Kernel IN LISTS DRYDOCK_NATIVE_LANES)
+			foreach(Level IN ITEMS "sse;4" "avx2;8" "avx512;16")
+				list(GET Level 0 Name)
+				list(GET Level 1 Lanes)
+				set(File ${PROJECT_BINARY_DIR}/lanes/${Kernel}_${Name}.cpp)
+				file(CONFIGURE OUTPUT ${File} CONTENT
+					"#include \"Native/${Kernel}Lanes.inl\"\n\ntemplate struct Drydock::T${Kernel}Lanes<${Lanes}>;\n")
+				list(APPEND Sources ${File})
+			endforeach()
+		endforeach()
+	endif()
+	set(${OutSources} ${Sources} PARENT_SCOPE)
+endfunction()
+
 # drydock_set_instruction_sets(SOURCES): gives *_sse.cpp, *_avx2.cpp and *_avx512.cpp of the list their instruction set, and
 # removes those for which nothing is built. *Sampling_sse.cpp stays: the interpreter's one lane is in it.
 function(drydock_set_instruction_sets OutSources)

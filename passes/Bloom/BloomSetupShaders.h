@@ -29,33 +29,9 @@ namespace Drydock
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
 class FLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");
 
-class FBloomSetupPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FBloomSetupPS);
-	SHADER_USE_PARAMETER_STRUCT(FBloomSetupPS, FGlobalShader);
+using FBloomSetupPermutation = TShaderPermutationDomain<FThresholdDimension, FLocalExposureDimension>;
 
-	using FPermutationDomain = TShaderPermutationDomain<FThresholdDimension, FLocalExposureDimension>;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-class FBloomSetupCS : public FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FBloomSetupCS);
-	SHADER_USE_PARAMETER_STRUCT(FBloomSetupCS, FScreenComputeShader);
-
-	using FPermutationDomain = FBloomSetupPS::FPermutationDomain;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FBloomSetupParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, BloomOutput)
-	END_SHADER_PARAMETER_STRUCT()
-};
+DRYDOCK_SCREEN_SHADERS(FBloomSetup, FBloomSetupParameters, FBloomSetupPermutation, BloomOutput);
 
 /** The permutation for a threshold: whether there is a ramp, and local exposure. A threshold of NaN or -infinity means
  * none in every engine. */

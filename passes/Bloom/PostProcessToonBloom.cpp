@@ -40,33 +40,9 @@ END_SHADER_PARAMETER_STRUCT()
 
 class FToonVisualizeDimension : SHADER_PERMUTATION_BOOL("VISUALIZE");
 
-class FToonBloomPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FToonBloomPS);
-	SHADER_USE_PARAMETER_STRUCT(FToonBloomPS, FGlobalShader);
+using FToonBloomPermutation = TShaderPermutationDomain<FToonVisualizeDimension>;
 
-	using FPermutationDomain = TShaderPermutationDomain<FToonVisualizeDimension>;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FToonBloomParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-class FToonBloomCS : public FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FToonBloomCS);
-	SHADER_USE_PARAMETER_STRUCT(FToonBloomCS, FScreenComputeShader);
-
-	using FPermutationDomain = TShaderPermutationDomain<FToonVisualizeDimension>;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FToonBloomParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, OutComputeTexture)
-	END_SHADER_PARAMETER_STRUCT()
-};
+DRYDOCK_SCREEN_SHADERS(FToonBloom, FToonBloomParameters, FToonBloomPermutation, OutComputeTexture);
 
 IMPLEMENT_GLOBAL_SHADER(FToonBloomPS, "/Drydock/Private/PostProcessToonBloom.usf", "MainPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FToonBloomCS, "/Drydock/Private/PostProcessToonBloom.usf", "MainCS", SF_Compute);

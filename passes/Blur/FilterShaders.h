@@ -38,46 +38,21 @@ class FRectBorderDimension : SHADER_PERMUTATION_ENUM_CLASS("RECT_BORDER", ERectB
 
 using FFilterPermutation = TShaderPermutationDomain<FAdditiveDimension, FRectBorderDimension>;
 
-class FFilterPS : public FGlobalShader
+template<typename TBase>
+class TFilterShader : public TBase
 {
 public:
-	DECLARE_GLOBAL_SHADER(FFilterPS);
-	SHADER_USE_PARAMETER_STRUCT(FFilterPS, FGlobalShader);
-
-	using FPermutationDomain = FFilterPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
+	using TBase::TBase;
 
 	static void ModifyCompilationEnvironment(
 		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
 	{
-		FGlobalShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
+		TBase::ModifyCompilationEnvironment(Parameters, OutEnvironment);
 		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
 	}
 };
 
-class FFilterCS : public FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FFilterCS);
-	SHADER_USE_PARAMETER_STRUCT(FFilterCS, FScreenComputeShader);
-
-	using FPermutationDomain = FFilterPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FFilterParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
-	END_SHADER_PARAMETER_STRUCT()
-
-	static void ModifyCompilationEnvironment(
-		const FGlobalShaderPermutationParameters& Parameters, FShaderCompilerEnvironment& OutEnvironment)
-	{
-		FScreenComputeShader::ModifyCompilationEnvironment(Parameters, OutEnvironment);
-		OutEnvironment.SetDefine(TEXT("MAX_FILTER_SAMPLES"), MaxFilterSamples);
-	}
-};
+DRYDOCK_SCREEN_SHADERS_OF(FFilter, TFilterShader<FGlobalShader>, TFilterShader<FScreenComputeShader>, FFilterParameters,
+	FFilterPermutation, RWOutputTexture);
 
 } // namespace Drydock

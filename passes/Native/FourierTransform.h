@@ -18,14 +18,12 @@ enum class EFourierDirection : uint8
 };
 
 /** A transform of one size, in double arithmetic. Any number of threads may Run one object. */
-class DRYDOCK_API FFourierTransform
+class DRYDOCK_API FFourierTransform : private FNoncopyable
 {
 public:
 	/** Size: a power of two, checked; KissFFT's other sizes share scratch memory between threads. */
 	FFourierTransform(int32 InSize, EFourierDirection Direction);
 	~FFourierTransform();
-	FFourierTransform(const FFourierTransform&) = delete;
-	FFourierTransform& operator=(const FFourierTransform&) = delete;
 
 	int32 GetSize() const { return Size; }
 

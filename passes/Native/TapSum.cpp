@@ -3,6 +3,7 @@
 
 #include "Native/NativeLanes.h"
 #include "PixelFormatConversion.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,12 +18,9 @@ namespace
 constexpr std::align_val_t Alignment{64};
 
 /** Zeros at first, so that no value read beside a row is a NaN by chance. */
-class FTapMemory
+class FTapMemory : private FNoncopyable
 {
 public:
-	FTapMemory() = default;
-	FTapMemory(const FTapMemory&) = delete;
-	FTapMemory& operator=(const FTapMemory&) = delete;
 	~FTapMemory() { ::operator delete(Data, Alignment); }
 
 	void* Get(size_t Bytes)

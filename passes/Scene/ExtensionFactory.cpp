@@ -1,6 +1,8 @@
 // The registry of extension types, and the names of the hooks that they can be given to.
 #include "ExtensionFactory.h"
 
+#include "RangeTools.h"
+
 #include <map>
 
 namespace Drydock
@@ -48,12 +50,7 @@ const FExtensionFactory* FindExtensionFactory(const std::string& Type)
 
 std::vector<const FExtensionFactory*> GetExtensionFactories()
 {
-	std::vector<const FExtensionFactory*> Result;
-	for (const auto& [Type, Factory] : GetExtensionRegistry())
-	{
-		Result.push_back(&Factory);
-	}
-	return Result;
+	return ToVector<const FExtensionFactory*>(GetExtensionRegistry(), [](const auto& Each) { return &Each.second; });
 }
 
 const char* GetPassName(ISceneViewExtension::EPostProcessingPass Pass)

@@ -56,7 +56,7 @@ DRYDOCK_API const FExtensionFactory* FindExtensionFactory(const std::string& Typ
 /** All, by type. Valid until one is registered or unregistered. */
 DRYDOCK_API std::vector<const FExtensionFactory*> GetExtensionFactories();
 
-class FExtensionFactoryRegistration
+class FExtensionFactoryRegistration : private FNoncopyable
 {
 public:
 	explicit FExtensionFactoryRegistration(const FExtensionFactory& Factory)
@@ -64,8 +64,6 @@ public:
 	{
 	}
 	~FExtensionFactoryRegistration() { UnregisterExtensionFactory(Type); }
-	FExtensionFactoryRegistration(const FExtensionFactoryRegistration&) = delete;
-	FExtensionFactoryRegistration& operator=(const FExtensionFactoryRegistration&) = delete;
 
 private:
 	std::string Type; // empty: refused

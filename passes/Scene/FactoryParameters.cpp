@@ -123,11 +123,7 @@ std::string ToText(const FParameterValue& Value)
 
 std::string GetRangeText(const FParameterSpec& Spec)
 {
-	std::string Text;
-	for (const std::string& Choice : Spec.Choices)
-	{
-		Text += (Text.empty() ? "" : "|") + Choice;
-	}
+	std::string Text = JoinText(Spec.Choices, "|");
 	if (std::isfinite(Spec.Min))
 	{
 		Text = std::isfinite(Spec.Max) ? FormatShortest(Spec.Min) + " .. " + FormatShortest(Spec.Max)

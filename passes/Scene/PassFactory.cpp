@@ -1,6 +1,8 @@
 // The registry of pass types.
 #include "PassFactory.h"
 
+#include "RangeTools.h"
+
 namespace Drydock
 {
 
@@ -41,12 +43,7 @@ const FPassFactory* FindPassFactory(const std::string& Type)
 
 std::vector<const FPassFactory*> GetPassFactories()
 {
-	std::vector<const FPassFactory*> Result;
-	for (const auto& [Type, Factory] : GetPassRegistry())
-	{
-		Result.push_back(&Factory);
-	}
-	return Result;
+	return ToVector<const FPassFactory*>(GetPassRegistry(), [](const auto& Each) { return &Each.second; });
 }
 
 } // namespace Drydock

@@ -60,7 +60,7 @@ DRYDOCK_API const FPassFactory* FindPassFactory(const std::string& Type);
 /** All, by type. Valid until one is registered or unregistered. */
 DRYDOCK_API std::vector<const FPassFactory*> GetPassFactories();
 
-class FPassFactoryRegistration
+class FPassFactoryRegistration : private FNoncopyable
 {
 public:
 	explicit FPassFactoryRegistration(const FPassFactory& Factory)
@@ -68,8 +68,6 @@ public:
 	{
 	}
 	~FPassFactoryRegistration() { UnregisterPassFactory(Type); }
-	FPassFactoryRegistration(const FPassFactoryRegistration&) = delete;
-	FPassFactoryRegistration& operator=(const FPassFactoryRegistration&) = delete;
 
 private:
 	std::string Type; // empty: refused

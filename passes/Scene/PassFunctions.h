@@ -64,13 +64,11 @@ using FAnyFunction = void (*)();
 /** Puts a function of an overlay's library in the place of a pass function, or of a place of the chain
  * (ChainPlaces.h), while the library is loaded and the overlay is active. Function: of the row's signature; where the
  * row has members, it takes the graph builder, the view and a pointer to the members' addresses. */
-class DRYDOCK_API FPassReplacement
+class DRYDOCK_API FPassReplacement : private FNoncopyable
 {
 public:
 	FPassReplacement(const char* Name, FAnyFunction Function);
 	~FPassReplacement();
-	FPassReplacement(const FPassReplacement&) = delete;
-	FPassReplacement& operator=(const FPassReplacement&) = delete;
 
 private:
 	FAnyFunction Function;
@@ -78,13 +76,11 @@ private:
 
 /** While it lives, the replacements of these libraries (paths) act. The last one made wins; it must be destroyed first.
  */
-class DRYDOCK_API FScopedPassReplacements
+class DRYDOCK_API FScopedPassReplacements : private FNoncopyable
 {
 public:
 	explicit FScopedPassReplacements(const std::vector<std::string>& Libraries);
 	~FScopedPassReplacements();
-	FScopedPassReplacements(const FScopedPassReplacements&) = delete;
-	FScopedPassReplacements& operator=(const FScopedPassReplacements&) = delete;
 
 private:
 	std::vector<std::pair<std::string, FAnyFunction>> Before;

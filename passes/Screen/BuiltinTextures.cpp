@@ -76,8 +76,7 @@ const std::vector<std::string>& GetBuiltinTextureNames()
 
 std::vector<float> MakeBuiltinKernel(const std::string& Name)
 {
-	const auto* const Kernel = std::find_if(
-		std::begin(Kernels), std::end(Kernels), [&](const FBuiltinKernel& Other) { return Name == Other.Name; });
+	const auto* const Kernel = std::ranges::find(Kernels, Name, &FBuiltinKernel::Name);
 	if (Kernel == std::end(Kernels))
 	{
 		return {};

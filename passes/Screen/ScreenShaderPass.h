@@ -6,6 +6,7 @@
 #include "PixelShaderUtils.h"
 #include "RenderGraphUtils.h"
 #include "SceneRendering.h"
+#include "ShaderParameterStruct.h"
 #include "SourceLocation.h"
 
 #include <optional>
@@ -27,6 +28,40 @@ public:
 		OutEnvironment.SetDefine(TEXT("THREADGROUP_SIZEY"), FComputeShaderUtils::kGolden2DGroupSize);
 	}
 };
+
+// clang-format off
+/** Declares the two shaders of such a pass, the classes ClassName##PS and ClassName##CS. CommonParameters: the struct
+ * that the parameters of both hold. ComputeOutput: the compute shader's parameter for the texture that it writes. */
+#define DRYDOCK_SCREEN_SHADERS(ClassName, CommonParameters, Permutation, ComputeOutput) \
+	DRYDOCK_SCREEN_SHADERS_OF( \
+		ClassName, FGlobalShader, Drydock::FScreenComputeShader, CommonParameters, Permutation, ComputeOutput)
+
+/** The same with base classes: PixelBase derives from FGlobalShader, ComputeBase from FScreenComputeShader. */
+#define DRYDOCK_SCREEN_SHADERS_OF( \
+	ClassName, PixelBase, ComputeBase, CommonParameters, Permutation, ComputeOutput) \
+	class ClassName##PS : public PixelBase \
+	{ \
+	public: \
+		DECLARE_GLOBAL_SHADER(ClassName##PS); \
+		SHADER_USE_PARAMETER_STRUCT(ClassName##PS, PixelBase); \
+		using FPermutationDomain = Permutation; \
+		BEGIN_SHADER_PARAMETER_STRUCT(FParameters, ) \
+			SHADER_PARAMETER_STRUCT_INCLUDE(CommonParameters, Common) \
+			RENDER_TARGET_BINDING_SLOTS() \
+		END_SHADER_PARAMETER_STRUCT() \
+	}; \
+	class ClassName##CS : public ComputeBase \
+	{ \
+	public: \
+		DECLARE_GLOBAL_SHADER(ClassName##CS); \
+		SHADER_USE_PARAMETER_STRUCT(ClassName##CS, ComputeBase); \
+		using FPermutationDomain = Permutation; \
+		BEGIN_SHADER_PARAMETER_STRUCT(FParameters, ) \
+			SHADER_PARAMETER_STRUCT_INCLUDE(CommonParameters, Common) \
+			SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, ComputeOutput) \
+		END_SHADER_PARAMETER_STRUCT() \
+	}
+// clang-format on
 
 /** Name and target of a pass, and which of its two shaders runs. */
 struct FScreenShaderPass

@@ -17,13 +17,11 @@ namespace Drydock
 using FTextureLoader = std::function<FTextureRHIRef(const std::string& Path)>;
 
 /** Loads textures while it lives; after it the one before it does again. */
-class DRYDOCK_API FScopedTextureLoader
+class DRYDOCK_API FScopedTextureLoader : private FNoncopyable
 {
 public:
 	explicit FScopedTextureLoader(FTextureLoader Loader);
 	~FScopedTextureLoader();
-	FScopedTextureLoader(const FScopedTextureLoader&) = delete;
-	FScopedTextureLoader& operator=(const FScopedTextureLoader&) = delete;
 
 private:
 	FTextureLoader Previous;

@@ -32,33 +32,7 @@ TAutoConsoleVariable<float> CVarSceneColorMultiplier(TEXT("r.HDR.Aces.SceneColor
 	TEXT("Factor before the ACES tone scales, which are darker than the film curve; 1.5 by default."),
 	ECVF_RenderThreadSafe);
 
-class FCombineLUTPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FCombineLUTPS);
-	SHADER_USE_PARAMETER_STRUCT(FCombineLUTPS, FGlobalShader);
-
-	using FPermutationDomain = Drydock::FColorRemapPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-class FCombineLUTCS : public Drydock::FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FCombineLUTCS);
-	SHADER_USE_PARAMETER_STRUCT(FCombineLUTCS, Drydock::FScreenComputeShader);
-
-	using FPermutationDomain = Drydock::FColorRemapPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
-	END_SHADER_PARAMETER_STRUCT()
-};
+DRYDOCK_SCREEN_SHADERS(FCombineLUT, FColorRemapParameters, Drydock::FColorRemapPermutation, RWOutputTexture);
 
 IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Drydock/Private/PostProcessColorRemap.usf", "MainPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Drydock/Private/PostProcessColorRemap.usf", "MainCS", SF_Compute);

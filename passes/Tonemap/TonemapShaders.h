@@ -68,32 +68,6 @@ using FTonemapPermutation = TShaderPermutationDomain<FTonemapGammaOnlyDimension,
 	FTonemapFilmGrainTextureDimension, FTonemapGrainQuantizationDimension, FTonemapColorFringeDimension,
 	FTonemapLocalExposureDimension, FTonemapLUTDimension, FTonemapSceneColorApplyDimension, FColorRemapPermutation>;
 
-class FTonemapPS : public FGlobalShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FTonemapPS);
-	SHADER_USE_PARAMETER_STRUCT(FTonemapPS, FGlobalShader);
-
-	using FPermutationDomain = FTonemapPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Common)
-		RENDER_TARGET_BINDING_SLOTS()
-	END_SHADER_PARAMETER_STRUCT()
-};
-
-class FTonemapCS : public FScreenComputeShader
-{
-public:
-	DECLARE_GLOBAL_SHADER(FTonemapCS);
-	SHADER_USE_PARAMETER_STRUCT(FTonemapCS, FScreenComputeShader);
-
-	using FPermutationDomain = FTonemapPermutation;
-
-	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
-		SHADER_PARAMETER_STRUCT_INCLUDE(FTonemapParameters, Common)
-		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, RWOutputTexture)
-	END_SHADER_PARAMETER_STRUCT()
-};
+DRYDOCK_SCREEN_SHADERS(FTonemap, FTonemapParameters, FTonemapPermutation, RWOutputTexture);
 
 } // namespace Drydock

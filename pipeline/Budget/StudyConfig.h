@@ -1,4 +1,4 @@
-// Holds a study's axes as plain data, and makes the row of its variants. Its keys are in ConfigKeys.cpp.
+// Holds a study's axes as plain data, and makes the row of its variants. Its keys are in ConfigKeys.txt.
 #pragma once
 
 #include "Config/Config.h"

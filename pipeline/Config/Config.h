@@ -1,5 +1,5 @@
 // A run's configuration as plain data, with the place of every value in its file. See configs/README.md; keys:
-// ConfigKeys.cpp.
+// ConfigKeys.txt.
 #pragma once
 
 #include "Config/OutputKinds.h"

@@ -30,16 +30,19 @@ enum class EConfigKind
 	Anything,
 };
 
+/** For messages: "a string". */
+const char* GetExpected(EConfigKind Kind);
+
 struct FConfigKey
 {
-	const char* Object; // kind of object that has it; "" is the root
-	const char* Name;   // "*": any further key is accepted
+	std::string Object; // kind of object that has it; "" is the root
+	std::string Name;   // "*": any further key is accepted
 	EConfigKind Kind;
-	const char* Of; // kind of nested object; allowed texts of a String or StringArray, separated by |; the text that a
+	std::string Of; // kind of nested object; allowed texts of a String or StringArray, separated by |; the text that a
 					// Number, or an ObjectArray may be instead, after =
 	int Length; // of a NumberArray
 	bool bRequired;
-	const char* Doc;
+	std::string Doc;
 };
 
 /** All keys, objects in the order of their first mention. */
@@ -47,8 +50,5 @@ DRYDOCK_API const std::vector<FConfigKey>& GetConfigKeys();
 
 /** Null when that kind of object has no such key. */
 DRYDOCK_API const FConfigKey* FindConfigKey(const std::string& Object, const std::string& Name);
-
-/** Splits "a|b|c". */
-std::vector<std::string> SplitAlternatives(const std::string& Text);
 
 } // namespace Drydock

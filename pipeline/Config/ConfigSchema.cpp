@@ -7,9 +7,11 @@
 #include "PostProcessSettingsReflection.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace Drydock
 {
@@ -17,50 +19,47 @@ namespace Drydock
 namespace
 {
 
-/** {"type": "array", "items": <definition or type>} with the braces already open. */
-void WriteItems(FJsonWriter& Writer, const char* Type, const std::string& Definition)
-{
-	Writer.Key("items").BeginObject(true);
-	if (Definition.empty())
-	{
-		WriteType(Writer, Type);
-	}
-	else
-	{
-		WriteReference(Writer, Definition);
-	}
-	Writer.EndObject();
-}
+/** The definitions of vectors, rotators and colours, as text. */
+constexpr const char* Definitions =
+#include "ConfigSchema.txt"
+	;
 
-void WriteArray(FJsonWriter& Writer, const char* ItemType, const std::string& ItemDefinition, int Length)
+/** Items: the member that describes an item. */
+void WriteArray(FJsonWriter& Writer, const FJsonWriter::FMember& Items, int Length)
 {
 	WriteType(Writer, "array");
-	WriteItems(Writer, ItemType, ItemDefinition);
+	Writer.Key("items").Object({Items});
 	if (Length > 0)
 	{
-		Writer.Member("minItems", Length);
-		Writer.Member("maxItems", Length);
+		Writer.Members({{"minItems", Length}, {"maxItems", Length}});
 	}
 }
 
 void WriteMap(FJsonWriter& Writer, const char* Type)
 {
 	WriteType(Writer, "object");
-	Writer.Key("additionalProperties").BeginObject(true);
-	WriteType(Writer, Type);
-	Writer.EndObject();
+	Writer.Key("additionalProperties").Object({TypeOf(Type)});
+}
+
+/** A text; one of these, where there are any. */
+void WriteText(FJsonWriter& Writer, const std::string& Alternatives)
+{
+	WriteType(Writer, "string");
+	if (!Alternatives.empty())
+	{
+		Writer.Member("enum", SplitText(Alternatives, '|'));
+	}
 }
 
 void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of)
 {
+	static const std::map<EConfigKind, const char*> Defined = {{EConfigKind::Vector3, "vector3"},
+		{EConfigKind::Rotator, "rotator"}, {EConfigKind::Settings, "Settings"}, {EConfigKind::ShowFlags, "showFlags"},
+		{EConfigKind::Variables, "variables"}};
 	switch (Key.Kind)
 	{
 	case EConfigKind::String:
-		WriteType(Writer, "string");
-		if (!Of.empty())
-		{
-			WriteEnum(Writer, SplitAlternatives(Of));
-		}
+		WriteText(Writer, Of);
 		break;
 	case EConfigKind::Number:
 		WriteType(Writer, "number");
@@ -68,33 +67,23 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 	case EConfigKind::Bool:
 		WriteType(Writer, "boolean");
 		break;
-	case EConfigKind::Vector3:
-		WriteReference(Writer, "vector3");
-		break;
-	case EConfigKind::Rotator:
-		WriteReference(Writer, "rotator");
-		break;
 	case EConfigKind::NumberArray:
-		WriteArray(Writer, "number", "", Key.Length);
+		WriteArray(Writer, TypeOf("number"), Key.Length);
 		break;
 	case EConfigKind::StringArray:
 		WriteType(Writer, "array");
 		Writer.Key("items").BeginObject(Of.empty());
-		WriteType(Writer, "string");
-		if (!Of.empty())
-		{
-			WriteEnum(Writer, SplitAlternatives(Of));
-		}
+		WriteText(Writer, Of);
 		Writer.EndObject();
 		break;
 	case EConfigKind::Vector3Array:
-		WriteArray(Writer, "", "vector3", 0);
+		WriteArray(Writer, ReferTo("vector3"), 0);
 		break;
 	case EConfigKind::Object:
 		WriteReference(Writer, Of);
 		break;
 	case EConfigKind::ObjectArray:
-		WriteArray(Writer, "", Of, 0);
+		WriteArray(Writer, ReferTo(Of), 0);
 		break;
 	case EConfigKind::StringMap:
 		WriteMap(Writer, "string");
@@ -104,34 +93,23 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 		break;
 	case EConfigKind::Padding:
 		Writer.Key("anyOf").BeginArray();
+		Writer.Object({TypeOf("number")});
 		Writer.BeginObject(true);
-		WriteType(Writer, "number");
+		WriteArray(Writer, TypeOf("number"), 4);
 		Writer.EndObject();
-		Writer.BeginObject(true);
-		WriteArray(Writer, "number", "", 4);
-		Writer.EndObject();
-		Writer.BeginObject(true);
-		WriteReference(Writer, Of);
-		Writer.EndObject();
+		Writer.Object({ReferTo(Of)});
 		Writer.EndArray();
-		break;
-	case EConfigKind::Settings:
-		WriteReference(Writer, "Settings");
-		break;
-	case EConfigKind::ShowFlags:
-		WriteReference(Writer, "showFlags");
-		break;
-	case EConfigKind::Variables:
-		WriteReference(Writer, "variables");
 		break;
 	case EConfigKind::Anything:
 		break;
+	default:
+		WriteReference(Writer, Defined.at(Key.Kind));
 	}
 }
 
 void WriteKey(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNames& Names)
 {
-	const std::string Of = Key.Of;
+	const std::string& Of = Key.Of;
 	const size_t Equals = Of.find('=');
 	Writer.Key(Key.Name).BeginObject();
 	Writer.Member("description", Key.Doc);
@@ -146,9 +124,7 @@ void WriteKey(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNames& Na
 		Writer.BeginObject(true);
 		WriteKind(Writer, Key, Of.substr(0, Equals));
 		Writer.EndObject();
-		Writer.BeginObject(true);
-		WriteEnum(Writer, {Of.substr(Equals + 1)});
-		Writer.EndObject();
+		Writer.Object({{"enum", std::vector{Of.substr(Equals + 1)}}});
 		Writer.EndArray();
 	}
 	Writer.EndObject();
@@ -181,18 +157,11 @@ void WriteObject(FJsonWriter& Writer, const std::string& Object, const FSchemaNa
 	Writer.EndObject();
 	if (!Required.empty())
 	{
-		Writer.Key("required").BeginArray(true);
-		for (const std::string& Name : Required)
-		{
-			Writer.Value(Name);
-		}
-		Writer.EndArray();
+		Writer.Member("required", Required);
 	}
 	if (Open != nullptr && Open->Kind == EConfigKind::Object)
 	{
-		Writer.Key("additionalProperties").BeginObject(true);
-		WriteReference(Writer, Open->Of);
-		Writer.EndObject();
+		Writer.Key("additionalProperties").Object({ReferTo(Open->Of)});
 		return;
 	}
 	Writer.Member("additionalProperties", Open != nullptr);
@@ -225,67 +194,44 @@ std::string DescribeSetting(const FSettingField& Field)
 /** Keys, the path of an asset, or null. */
 void WriteCurve(FJsonWriter& Writer)
 {
-	Writer.Key("type").BeginArray(true);
-	Writer.Value("object");
-	Writer.Value("string");
-	Writer.Value("null");
-	Writer.EndArray();
+	Writer.Member("type", {"object", "string", "null"});
 	Writer.Key("properties").BeginObject();
 	Writer.Key("keys").BeginObject();
 	Writer.Member("description", "[time, value] each, times ascending.");
 	WriteType(Writer, "array");
 	Writer.Member("minItems", 1);
 	Writer.Key("items").BeginObject();
-	WriteArray(Writer, "number", "", 2);
+	WriteArray(Writer, TypeOf("number"), 2);
 	Writer.EndObject();
 	Writer.EndObject();
 	Writer.Key("interp").BeginObject();
 	WriteEnum(Writer, GetCurveInterpNames());
 	Writer.EndObject();
 	Writer.EndObject();
-	Writer.Key("required").BeginArray(true);
-	Writer.Value("keys");
-	Writer.EndArray();
+	Writer.Member("required", {"keys"});
 	Writer.Member("additionalProperties", false);
 }
 
 void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 {
+	static const std::map<ESettingType, FJsonWriter::FMember> Plain = {{ESettingType::Float, TypeOf("number")},
+		{ESettingType::Int, TypeOf("integer")}, {ESettingType::Bool, TypeOf("boolean")},
+		{ESettingType::Color, ReferTo("color")}, {ESettingType::Vector2, ReferTo("vector2")},
+		{ESettingType::Vector4, ReferTo("vector4")}};
 	Writer.Key(Field.Name).BeginObject();
 	Writer.Member("description", DescribeSetting(Field));
 	switch (Field.Type)
 	{
-	case ESettingType::Float:
-		WriteType(Writer, "number");
-		break;
-	case ESettingType::Int:
-		WriteType(Writer, "integer");
-		break;
-	case ESettingType::Bool:
-		WriteType(Writer, "boolean");
-		break;
-	case ESettingType::Color:
-		WriteReference(Writer, "color");
-		break;
-	case ESettingType::Vector2:
-		WriteReference(Writer, "vector2");
-		break;
-	case ESettingType::Vector4:
-		WriteReference(Writer, "vector4");
-		break;
 	case ESettingType::Object:
 		if (std::string_view(Field.ObjectClass) == "CurveFloat")
 		{
 			WriteCurve(Writer);
 			break;
 		}
-		Writer.Key("type").BeginArray(true);
-		Writer.Value("string");
-		Writer.Value("null");
-		Writer.EndArray();
+		Writer.Member("type", {"string", "null"});
 		break;
 	case ESettingType::ColorArray:
-		WriteArray(Writer, "", "color", MaxSettingComponents / 4);
+		WriteArray(Writer, ReferTo("color"), MaxSettingComponents / 4);
 		break;
 	case ESettingType::Enum:
 		Writer.Key("enum").BeginArray(true);
@@ -299,6 +245,8 @@ void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 		}
 		Writer.EndArray();
 		break;
+	default:
+		Writer.Members({Plain.at(Field.Type)});
 	}
 	Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
 	Writer.EndObject();
@@ -312,15 +260,8 @@ void WriteBlendables(FJsonWriter& Writer)
 	Writer.Key("items").BeginObject();
 	WriteType(Writer, "object");
 	Writer.Key("properties").BeginObject();
-	Writer.Key("Object").BeginObject(true);
-	Writer.Key("type").BeginArray(true);
-	Writer.Value("string");
-	Writer.Value("null");
-	Writer.EndArray();
-	Writer.EndObject();
-	Writer.Key("Weight").BeginObject(true);
-	WriteType(Writer, "number");
-	Writer.EndObject();
+	Writer.Key("Object").Object({{"type", std::vector{"string", "null"}}});
+	Writer.Key("Weight").Object({TypeOf("number")});
 	Writer.EndObject();
 	Writer.Member("additionalProperties", false);
 	Writer.EndObject();
@@ -341,9 +282,7 @@ void WriteSettingsSchema(FJsonWriter& Writer)
 	WriteBlendables(Writer);
 	for (const FSettingField& Field : Fields)
 	{
-		Writer.Key(Field.OverrideName).BeginObject(true);
-		WriteType(Writer, "boolean");
-		Writer.EndObject();
+		Writer.Key(Field.OverrideName).Object({TypeOf("boolean")});
 	}
 	Writer.EndObject();
 	Writer.Member("additionalProperties", true); // plugins bring settings
@@ -357,72 +296,10 @@ void WriteShowFlags(FJsonWriter& Writer)
 	Writer.Key("properties").BeginObject();
 	for (const FShowFlagInfo& Info : GetShowFlagInfos())
 	{
-		Writer.Key(Info.Name).BeginObject(true);
-		Writer.Member("description", Info.Doc);
-		WriteType(Writer, "boolean");
-		Writer.Member("default", Info.bInGame);
-		Writer.EndObject();
+		Writer.Key(Info.Name).Object({{"description", Info.Doc}, TypeOf("boolean"), {"default", Info.bInGame}});
 	}
 	Writer.EndObject();
 	Writer.Member("additionalProperties", false);
-	Writer.EndObject();
-}
-
-/** A row of numbers, or an object of named ones. Least: how many the array must have. */
-void WriteNumbers(FJsonWriter& Writer, const std::string& Name, const std::string& Components, int Least)
-{
-	Writer.Key(Name).BeginObject();
-	Writer.Key("anyOf").BeginArray();
-	Writer.BeginObject(true);
-	WriteType(Writer, "array");
-	WriteItems(Writer, "number", "");
-	Writer.Member("minItems", Least);
-	Writer.Member("maxItems", static_cast<int>(Components.size()));
-	Writer.EndObject();
-	Writer.BeginObject(true);
-	WriteType(Writer, "object");
-	Writer.Key("properties").BeginObject();
-	for (const char Component : Components)
-	{
-		Writer.Key(std::string(1, Component)).BeginObject();
-		WriteType(Writer, "number");
-		Writer.EndObject();
-	}
-	Writer.EndObject();
-	Writer.Key("required").BeginArray();
-	for (int Index = 0; Index < Least; ++Index)
-	{
-		Writer.Value(std::string(1, Components[static_cast<size_t>(Index)]));
-	}
-	Writer.EndArray();
-	Writer.Member("additionalProperties", false);
-	Writer.EndObject();
-	Writer.EndArray();
-	Writer.EndObject();
-}
-
-/** A vector, or angles by name. */
-void WriteRotator(FJsonWriter& Writer)
-{
-	Writer.Key("rotator").BeginObject();
-	Writer.Key("anyOf").BeginArray();
-	Writer.BeginObject(true);
-	WriteReference(Writer, "vector3");
-	Writer.EndObject();
-	Writer.BeginObject(true);
-	WriteType(Writer, "object");
-	Writer.Key("properties").BeginObject();
-	for (const char* const Angle : {"Pitch", "Yaw", "Roll"})
-	{
-		Writer.Key(Angle).BeginObject();
-		WriteType(Writer, "number");
-		Writer.EndObject();
-	}
-	Writer.EndObject();
-	Writer.Member("minProperties", 1);
-	Writer.Member("additionalProperties", false);
-	Writer.EndObject();
-	Writer.EndArray();
 	Writer.EndObject();
 }
 
@@ -450,11 +327,7 @@ std::string MakeConfigSchema(const FSchemaNames& Names)
 	WriteSettingsSchema(Writer);
 	WriteShowFlags(Writer);
 	WriteVariables(Writer);
-	WriteNumbers(Writer, "vector2", "XY", 2);
-	WriteNumbers(Writer, "vector3", "XYZ", 3);
-	WriteRotator(Writer);
-	WriteNumbers(Writer, "vector4", "XYZW", 4);
-	WriteNumbers(Writer, "color", "RGBA", 3);
+	Writer.Raw(Definitions);
 	Writer.EndObject();
 	Writer.EndObject();
 	return Writer.GetText();

@@ -40,32 +40,35 @@ void WriteTexts(FJsonWriter& Writer, const std::vector<std::string>& Texts, bool
 	Writer.BeginObject();
 	WriteEnum(Writer, Texts);
 	Writer.EndObject();
-	Writer.BeginObject(true);
-	WriteType(Writer, "string");
-	Writer.EndObject();
+	Writer.Object({TypeOf("string")});
 	Writer.EndArray();
 }
 
 } // namespace
 
+FJsonWriter::FMember ReferTo(const std::string& Definition)
+{
+	return {"$ref", "#/definitions/" + Definition};
+}
+
+FJsonWriter::FMember TypeOf(const char* Type)
+{
+	return {"type", Type};
+}
+
 void WriteReference(FJsonWriter& Writer, const std::string& Definition)
 {
-	Writer.Member("$ref", "#/definitions/" + Definition);
+	Writer.Members({ReferTo(Definition)});
 }
 
 void WriteType(FJsonWriter& Writer, const char* Type)
 {
-	Writer.Member("type", Type);
+	Writer.Members({TypeOf(Type)});
 }
 
 void WriteEnum(FJsonWriter& Writer, const std::vector<std::string>& Texts)
 {
-	Writer.Key("enum").BeginArray(true);
-	for (const std::string& Text : Texts)
-	{
-		Writer.Value(Text);
-	}
-	Writer.EndArray();
+	Writer.Member("enum", Texts);
 }
 
 bool WriteKnownNames(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNames& Names)
@@ -105,14 +108,7 @@ bool WriteKnownNames(FJsonWriter& Writer, const FConfigKey& Key, const FSchemaNa
 
 void WriteVariables(FJsonWriter& Writer)
 {
-	const auto WriteValue = [&Writer]
-	{
-		Writer.Key("type").BeginArray(true);
-		Writer.Value("number");
-		Writer.Value("string");
-		Writer.Value("boolean");
-		Writer.EndArray();
-	};
+	const FJsonWriter::FMember Value("type", std::vector{"number", "string", "boolean"});
 	Writer.Key("variables").BeginObject();
 	WriteType(Writer, "object");
 	Writer.Key("properties").BeginObject();
@@ -120,15 +116,13 @@ void WriteVariables(FJsonWriter& Writer)
 	{
 		Writer.Key(*Info.Name).BeginObject(true);
 		Writer.Member("description", *Info.Help);
-		WriteValue();
+		Writer.Members({Value});
 		const bool bText = Info.Type == "FString";
 		Writer.Key("default").Raw(bText ? FJsonWriter::Quote(*Info.Default) : std::string(*Info.Default));
 		Writer.EndObject();
 	}
 	Writer.EndObject();
-	Writer.Key("additionalProperties").BeginObject(true);
-	WriteValue();
-	Writer.EndObject();
+	Writer.Key("additionalProperties").Object({Value});
 	Writer.EndObject();
 }
 

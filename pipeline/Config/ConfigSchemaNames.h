@@ -19,6 +19,12 @@ struct FSchemaNames
 	void (*WriteTypeRules)(FJsonWriter& Writer, const std::string& Object) = nullptr;
 };
 
+/** A reference to a definition. */
+FJsonWriter::FMember ReferTo(const std::string& Definition);
+
+/** "type": Type */
+FJsonWriter::FMember TypeOf(const char* Type);
+
 /** Inside an object that has been begun: a reference to a definition. */
 void WriteReference(FJsonWriter& Writer, const std::string& Definition);
 

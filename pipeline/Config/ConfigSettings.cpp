@@ -2,6 +2,7 @@
 #include "Config/ConfigReader.h"
 
 #include "PostProcessSettingsReflection.h"
+#include "RangeTools.h"
 #include "SettingObjects.h"
 
 #include <algorithm>
@@ -205,12 +206,7 @@ void ReadSetting(const std::string& Name, const FJsonValue& Value, FConfigSettin
 
 std::vector<std::string> GetOverrideNames()
 {
-	std::vector<std::string> Names;
-	for (const FSettingField& Field : GetSettingFields())
-	{
-		Names.emplace_back(Field.OverrideName);
-	}
-	return Names;
+	return ToVector<std::string>(GetSettingFields(), &FSettingField::OverrideName);
 }
 
 /** Override bits come after all values, whatever their order in the file. */

@@ -12,45 +12,6 @@ namespace Drydock
 namespace
 {
 
-const char* ExpectedType(const FConfigKey& Key)
-{
-	switch (Key.Kind)
-	{
-	case EConfigKind::String:
-		return "a string";
-	case EConfigKind::Number:
-		return "a number";
-	case EConfigKind::Bool:
-		return "true or false";
-	case EConfigKind::Vector3:
-		return "three numbers: [x, y, z] or {\"X\": x, \"Y\": y, \"Z\": z}";
-	case EConfigKind::Rotator:
-		return "an angle each: [pitch, yaw, roll] or {\"Pitch\": p, \"Yaw\": y, \"Roll\": r}";
-	case EConfigKind::NumberArray:
-		return "an array of numbers";
-	case EConfigKind::StringArray:
-		return "an array of strings";
-	case EConfigKind::Vector3Array:
-		return "an array of points [x, y, z]";
-	case EConfigKind::ObjectArray:
-		return "an array of objects";
-	case EConfigKind::StringMap:
-		return "an object of strings";
-	case EConfigKind::NumberMap:
-		return "an object of numbers";
-	case EConfigKind::Padding:
-		return "a number, or one for each side: {\"left\", \"top\", \"right\", \"bottom\"}";
-	case EConfigKind::Object:
-	case EConfigKind::Settings:
-	case EConfigKind::Variables:
-	case EConfigKind::ShowFlags:
-		return "an object";
-	case EConfigKind::Anything:
-		return "a value";
-	}
-	return "?";
-}
-
 class FShapeValidator
 {
 public:
@@ -97,8 +58,8 @@ private:
 
 	void WrongType(const FJsonValue& Value, const FConfigKey& Key)
 	{
-		std::string Expected = ExpectedType(Key);
-		if (Key.Of[0] == '=' || std::string(Key.Of).find('=') != std::string::npos)
+		std::string Expected = GetExpected(Key.Kind);
+		if (Key.Of.find('=') != std::string::npos)
 		{
 			Expected += " or \"" + AlternativeOf(Key) + "\"";
 		}
@@ -108,9 +69,8 @@ private:
 	/** The text that may stand in place of the value, or empty. */
 	static std::string AlternativeOf(const FConfigKey& Key)
 	{
-		const std::string Of = Key.Of;
-		const size_t Equals = Of.find('=');
-		return Equals == std::string::npos ? "" : Of.substr(Equals + 1);
+		const size_t Equals = Key.Of.find('=');
+		return Equals == std::string::npos ? "" : Key.Of.substr(Equals + 1);
 	}
 
 	/** False when Value has another type, which is reported unless the number was reported already. */
@@ -216,11 +176,11 @@ private:
 	/** A text that is one of those that the key allows, where it names them. */
 	void RequireAllowed(const FJsonValue& Value, const FConfigKey& Key)
 	{
-		if (Key.Of[0] == '\0')
+		if (Key.Of.empty())
 		{
 			return;
 		}
-		const std::vector<std::string> Allowed = SplitAlternatives(Key.Of);
+		const std::vector<std::string> Allowed = SplitText(Key.Of, '|');
 		if (std::find(Allowed.begin(), Allowed.end(), Value.String) == Allowed.end())
 		{
 			Messages.Error(ErrorUnknownValue, Value,

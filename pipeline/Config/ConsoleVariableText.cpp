@@ -57,8 +57,7 @@ std::vector<FConsoleVariableInfo> FilterConsoleVariables(
 std::string WrapText(const std::string& Text, size_t Columns, const std::string& Indent)
 {
 	std::string Wrapped;
-	std::istringstream Lines(Text);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Text))
 	{
 		std::string Current;
 		std::istringstream Words(Line);
@@ -82,12 +81,11 @@ std::string FormatConsoleVariables(const std::vector<FConsoleVariableInfo>& Info
 	FTextTable Table{
 		std::vector<FTextColumn>(5, {ETextColumn::Name}), {{"name", "type", "value", "default", "set by"}}};
 	std::transform(Infos.begin(), Infos.end(), std::back_inserter(Table.Rows), MakeRow);
-	std::istringstream Lines(Table.Format(Width));
+	const std::vector<std::string> Lines = SplitText(Table.Format(Width));
 	std::string Text;
-	size_t Index = 0;
-	for (std::string Line; std::getline(Lines, Line); ++Index)
+	for (size_t Index = 0; Index < Lines.size(); ++Index)
 	{
-		Text += Line + "\n";
+		Text += Lines[Index] + "\n";
 		if (Index > 0)
 		{
 			Text += WrapText(*Infos[Index - 1].Help, GetHelpColumns(Width), "    ");
@@ -110,15 +108,8 @@ std::string FormatConsoleVariablesAsJson(const std::vector<FConsoleVariableInfo>
 	Writer.BeginArray();
 	for (const FConsoleVariableInfo& Info : Infos)
 	{
-		Writer.BeginObject(true);
-		Writer.Member("name", *Info.Name);
-		Writer.Member("type", *Info.Type);
-		Writer.Member("value", *Info.Value);
-		Writer.Member("default", *Info.Default);
-		Writer.Member("setBy", *Info.SetBy);
-		Writer.Member("simulated", !Info.bNotSimulated);
-		Writer.Member("help", *Info.Help);
-		Writer.EndObject();
+		Writer.Object({{"name", *Info.Name}, {"type", *Info.Type}, {"value", *Info.Value}, {"default", *Info.Default},
+			{"setBy", *Info.SetBy}, {"simulated", !Info.bNotSimulated}, {"help", *Info.Help}});
 	}
 	Writer.EndArray();
 	return Writer.GetText();

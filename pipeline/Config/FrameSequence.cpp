@@ -2,6 +2,7 @@
 #include "Config/FrameSequence.h"
 
 #include "Config/FrameList.h"
+#include "RangeTools.h"
 #include "Text/ConfigErrors.h"
 
 #include <algorithm>
@@ -77,8 +78,7 @@ std::vector<FSequenceFrame> FindFrames(const FConfig& Config, const std::string&
 const FSequenceFrame& FindFrame(
 	const FConfig& Config, const std::string& Pattern, const std::vector<FSequenceFrame>& Frames, int Number)
 {
-	const auto Found = std::find_if(
-		Frames.begin(), Frames.end(), [&](const FSequenceFrame& Candidate) { return Candidate.Number == Number; });
+	const auto Found = std::ranges::find(Frames, Number, &FSequenceFrame::Number);
 	if (Found == Frames.end())
 	{
 		ThrowNoFrame(Config, "there is no frame " + std::to_string(Number) + " of " + Config.Resolve(Pattern) +
@@ -166,17 +166,9 @@ std::vector<FSequenceFrame> ChooseSequenceFrames(
 		Throw("the scene is not a sequence: scene.file has no #### in its name");
 	}
 	const std::vector<FSequenceFrame> Existing = FindFrames(Config, Pattern);
-	std::vector<int> Numbers;
-	for (const FSequenceFrame& Frame : Existing)
-	{
-		Numbers.push_back(Frame.Number);
-	}
-	std::vector<FSequenceFrame> Frames;
-	for (const int Number : ListFrames(*Parsed, Numbers))
-	{
-		Frames.push_back(FindFrame(Config, Pattern, Existing, Number));
-	}
-	return Frames;
+	const std::vector<int> Numbers = ToVector<int>(Existing, &FSequenceFrame::Number);
+	return ToVector<FSequenceFrame>(
+		ListFrames(*Parsed, Numbers), [&](int Number) { return FindFrame(Config, Pattern, Existing, Number); });
 }
 
 } // namespace Drydock

@@ -5,12 +5,13 @@
 #include "Config/ConfigKeys.h"
 #include "Config/ConfigReader.h"
 #include "Config/ReadConfigScene.h"
+#include "RangeTools.h"
 #include "ShowFlags.h"
 #include "Text/LimitErrors.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <tuple>
 
 namespace Drydock
@@ -85,11 +86,8 @@ bool VariableText(const FJsonValue& Value, std::string& OutText)
 		OutText = Value.Bool ? "1" : "0";
 		return true;
 	case EJsonType::Number:
-	{
-		char Buffer[64];
-		OutText = std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Value.Number).ptr);
+		OutText = FormatShortest(Value.Number);
 		return true;
-	}
 	default:
 		return false;
 	}
@@ -119,11 +117,7 @@ void ReadVariables(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 
 void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)
 {
-	std::vector<std::string> Names;
-	for (const FShowFlagInfo& Info : GetShowFlagInfos())
-	{
-		Names.emplace_back(Info.Name);
-	}
+	std::vector<std::string> Names = ToVector<std::string>(GetShowFlagInfos(), &FShowFlagInfo::Name);
 	WithMember(Root, "showFlags", EJsonType::Object,
 		[&](const FJsonValue& Flags)
 		{
@@ -241,11 +235,7 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 			WithMember(Outputs, "write", EJsonType::Array,
 				[&](const FJsonValue& Kinds)
 				{
-					std::vector<std::string> Names;
-					for (const FJsonValue& Kind : Kinds.Elements)
-					{
-						Names.push_back(Kind.String);
-					}
+					std::vector<std::string> Names = ToVector<std::string>(Kinds.Elements, &FJsonValue::String);
 					Config.Write = MakeOutputKinds(Names);
 				});
 			ReadString(Outputs, "report", Config.Report);

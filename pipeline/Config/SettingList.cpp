@@ -22,11 +22,8 @@ std::string Wrap(const std::string& Text, const std::string& FirstIndent, const 
 	std::string Wrapped;
 	std::string Line = FirstIndent;
 	bool bEmpty = true;
-	for (size_t Begin = 0; Begin < Text.size();)
+	for (const std::string& Word : SplitText(Text, ' '))
 	{
-		const size_t End = std::min(Text.find(' ', Begin), Text.size());
-		const std::string Word = Text.substr(Begin, End - Begin);
-		Begin = End + 1;
 		if (!bEmpty && Line.size() + 1 + Word.size() > Width)
 		{
 			Wrapped += Line + "\n";
@@ -75,25 +72,16 @@ void WriteBound(FJsonWriter& Writer, const char* Key, double Bound)
 void WriteSetting(FJsonWriter& Writer, const FSettingField& Field)
 {
 	Writer.BeginObject(true);
-	Writer.Member("name", Field.Name);
-	Writer.Member("override", Field.OverrideName);
-	Writer.Member("type", ToString(Field.Type));
+	Writer.Members({{"name", Field.Name}, {"override", Field.OverrideName}, {"type", ToString(Field.Type)}});
 	Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
 	Writer.Member("range", FormatSettingRange(Field));
 	WriteBound(Writer, "min", Field.Range.ClampMin);
 	WriteBound(Writer, "max", Field.Range.ClampMax);
-	Writer.Member("unit", Field.Unit);
-	Writer.Member("blend", ToString(Field.Blend));
-	Writer.Member("category", Field.Category);
-	Writer.Member("doc", Field.Doc);
+	Writer.Members(
+		{{"unit", Field.Unit}, {"blend", ToString(Field.Blend)}, {"category", Field.Category}, {"doc", Field.Doc}});
 	if (Field.EnumNames.Num() > 0)
 	{
-		Writer.Key("values").BeginArray(true);
-		for (const char* Name : Field.EnumNames)
-		{
-			Writer.Value(Name);
-		}
-		Writer.EndArray();
+		Writer.Member("values", Field.EnumNames);
 	}
 	if (Field.Type == ESettingType::Object)
 	{

@@ -12,25 +12,13 @@ namespace Drydock
 namespace
 {
 
-void WriteVector(FJsonWriter& Writer, const char* Name, const double (&Vector)[3])
-{
-	Writer.Key(Name).BeginArray(true);
-	for (const double Number : Vector)
-	{
-		Writer.Value(Number);
-	}
-	Writer.EndArray();
-}
-
 void WriteBox(FJsonWriter& Writer, const FVolumeTextBox& Box)
 {
 	Writer.Key("bounds").BeginObject(true);
-	Writer.Member("type", "box");
-	WriteVector(Writer, "center", Box.Center);
-	WriteVector(Writer, "extent", Box.Extent);
+	Writer.Members({{"type", "box"}, {"center", Box.Center}, {"extent", Box.Extent}});
 	if (std::any_of(std::begin(Box.Rotation), std::end(Box.Rotation), [](double Angle) { return Angle != 0.0; }))
 	{
-		WriteVector(Writer, "rotation", Box.Rotation);
+		Writer.Member("rotation", Box.Rotation);
 	}
 	Writer.EndObject();
 }
@@ -74,28 +62,11 @@ void WriteSettings(FJsonWriter& Writer, const FPostProcessSettings& Settings)
 	Writer.EndObject();
 }
 
-void WriteUnknown(FJsonWriter& Writer, const std::vector<FUnknownSetting>& Unknown)
-{
-	Writer.Key("unknownSettings").BeginArray();
-	for (const FUnknownSetting& Setting : Unknown)
-	{
-		Writer.BeginObject(true);
-		Writer.Member("name", Setting.Key);
-		Writer.Member("text", Setting.Text);
-		Writer.Member("after", Setting.After);
-		Writer.EndObject();
-	}
-	Writer.EndArray();
-}
-
 void WriteVolume(FJsonWriter& Writer, const FVolumeText& Volume)
 {
 	const FVolumeText Defaults;
 	Writer.BeginObject();
-	if (!Volume.Name.empty())
-	{
-		Writer.Member("name", Volume.Name);
-	}
+	Writer.MemberIfAny("name", Volume.Name);
 	if (!Volume.bEnabled)
 	{
 		Writer.Member("bEnabled", false);
@@ -117,7 +88,10 @@ void WriteVolume(FJsonWriter& Writer, const FVolumeText& Volume)
 	WriteSettings(Writer, Volume.Settings.Settings);
 	if (!Volume.Settings.Unknown.empty())
 	{
-		WriteUnknown(Writer, Volume.Settings.Unknown);
+		Writer.Array("unknownSettings", Volume.Settings.Unknown,
+			[&](const FUnknownSetting& Setting) {
+				Writer.Object({{"name", Setting.Key}, {"text", Setting.Text}, {"after", Setting.After}});
+			});
 	}
 	Writer.EndObject();
 }

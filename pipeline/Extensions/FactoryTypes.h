@@ -1,6 +1,8 @@
 // Names the types by which a config asks for passes and extensions.
 #pragma once
 
+#include "RangeTools.h"
+
 #include <string>
 #include <vector>
 
@@ -10,12 +12,7 @@ namespace Drydock
 template<typename TFactory>
 std::vector<std::string> GetFactoryTypes(const std::vector<const TFactory*>& Factories)
 {
-	std::vector<std::string> Types;
-	for (const TFactory* Factory : Factories)
-	{
-		Types.push_back(Factory->Type);
-	}
-	return Types;
+	return ToVector<std::string>(Factories, &TFactory::Type);
 }
 
 } // namespace Drydock

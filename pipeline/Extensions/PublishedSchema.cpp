@@ -74,9 +74,7 @@ void WriteRule(FJsonWriter& Writer, const std::string& Type, const TWrite& Write
 	Writer.BeginObject();
 	Writer.Key("if").BeginObject(true);
 	Writer.Key("properties").BeginObject(true);
-	Writer.Key("type").BeginObject(true);
-	Writer.Member("const", Type);
-	Writer.EndObject();
+	Writer.Key("type").Object({{"const", Type}});
 	Writer.EndObject();
 	Writer.EndObject();
 	Writer.Key("then").BeginObject();
@@ -94,10 +92,7 @@ void WriteExtensionRule(FJsonWriter& Writer, const FExtensionFactory& Factory)
 		{
 			if (!Factory.Passes.empty())
 			{
-				Writer.Key("pass").BeginObject(true);
-				WriteEnum(Writer, Factory.Passes);
-				Writer.Member("default", Factory.Passes[0]);
-				Writer.EndObject();
+				Writer.Key("pass").Object({{"enum", Factory.Passes}, {"default", Factory.Passes[0]}});
 			}
 			WriteParameters(Writer, Factory.Parameters);
 		});
@@ -112,10 +107,7 @@ void WritePassRule(FJsonWriter& Writer, const FPassFactory& Factory)
 			Writer.Key("properties").BeginObject();
 			for (const FPassInputSpec& Input : Factory.Inputs)
 			{
-				Writer.Key(Input.Name).BeginObject(true);
-				Writer.Member("description", Input.Doc);
-				WriteType(Writer, "string");
-				Writer.EndObject();
+				Writer.Key(Input.Name).Object({{"description", Input.Doc}, TypeOf("string")});
 			}
 			Writer.EndObject();
 			Writer.Member("additionalProperties", false);

@@ -7,6 +7,8 @@
 #include "FinalPostProcessSettings.h"
 #include "PixelFormat.h"
 #include "PostProcessSettingsReflection.h"
+#include "RangeTools.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -41,15 +43,13 @@ FPassesByScope SortByScope(const FRDGCompiledGraph& Graph)
 	FPassesByScope Passes;
 	for (const FRDGCompiledPass& Pass : Graph.Passes)
 	{
-		for (size_t Begin = 0; Begin < Pass.Scope.size();)
+		for (const std::string& Scope : SplitText(Pass.Scope, '/'))
 		{
-			const size_t End = std::min(Pass.Scope.find('/', Begin), Pass.Scope.size());
-			std::vector<const FRDGCompiledPass*>& Inside = Passes[Pass.Scope.substr(Begin, End - Begin)];
+			std::vector<const FRDGCompiledPass*>& Inside = Passes[Scope];
 			if (Inside.empty() || Inside.back() != &Pass)
 			{
 				Inside.push_back(&Pass);
 			}
-			Begin = End + 1;
 		}
 	}
 	return Passes;
@@ -118,12 +118,7 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 
 std::vector<std::string> FViewExtensionFrame::GetNames() const
 {
-	std::vector<std::string> Names;
-	for (const FExtension& Extension : Extensions)
-	{
-		Names.push_back(Extension.Info.Name);
-	}
-	return Names;
+	return ToVector<std::string>(Extensions, [](const FExtension& Extension) { return Extension.Info.Name; });
 }
 
 void FViewExtensionFrame::ReportVersion(const FExtension& Extension)

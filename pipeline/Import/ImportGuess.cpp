@@ -20,7 +20,7 @@ struct FCandidate
 	size_t Layer = 0;
 	int FirstSlot = 0; // of the group's first channel
 	int Rank = 0;
-	const char* Remark = "";
+	std::string Remark = "";
 };
 
 using FCandidates = std::map<std::string, std::vector<FCandidate>>; // by group
@@ -45,11 +45,11 @@ void AddCandidates(const FImportLayers& Layers, size_t Index, FCandidates& Candi
 	{
 		Plan.LeftOut.push_back({Index, "no channel of a scene has such a name"});
 	}
-	else if (*Rule->Group == '\0')
+	else if (Rule->Group.empty())
 	{
 		Plan.LeftOut.push_back({Index, Rule->Remark});
 	}
-	else if (Rule->Group == std::string("ids"))
+	else if (Rule->Group == "ids")
 	{
 		Candidates["shadingmodel"].push_back({Index, 0, Rule->Rank});
 		Candidates["customstencil"].push_back({Index, 1, Rule->Rank});

@@ -5,6 +5,7 @@
 #include "Import/ImportErrors.h"
 #include "Text/GlobPattern.h"
 #include "Text/Json.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <bit>
@@ -27,11 +28,8 @@ std::optional<uint32_t> ParseHex(const std::string& Text)
 
 std::optional<int> ParseStencil(const std::string& Text)
 {
-	int Number = 0;
-	const std::from_chars_result Result = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
-	const bool bGood =
-		Result.ec == std::errc() && Result.ptr == Text.data() + Text.size() && Number >= 0 && Number <= 255;
-	return bGood ? std::optional(Number) : std::nullopt;
+	const std::optional<int> Number = ParseAll<int>(Text);
+	return Number >= 0 && Number <= 255 ? Number : std::nullopt;
 }
 
 /** Layer "NAME00", whose first component is an id. */

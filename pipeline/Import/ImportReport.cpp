@@ -69,8 +69,7 @@ std::vector<FTableRow> MakeRows(const FImportStory& Story)
 		{
 			return;
 		}
-		const auto Known = std::find_if(
-			Rows.begin(), Rows.end(), [&Target](const FTableRow& Row) { return Row.Channels == Target.Channels[0]; });
+		const auto Known = std::ranges::find(Rows, Target.Channels[0], &FTableRow::Channels);
 		const std::string From = std::string(Option) + " " + DescribeChoices(Choices);
 		if (Known != Rows.end())
 		{

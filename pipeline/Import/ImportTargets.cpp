@@ -1,8 +1,7 @@
-// The table of layer names. Sources: "Cinematic Render Passes" (Epic: World Depth, Motion Vectors, Object Ids), the
-// names that Unreal's buffer visualisation has for its materials, "Passes" (Blender manual) and the names by which
-// Blender writes them.
+// Reads the table of layer names, and finds the row that a layer's name fits.
 #include "Import/ImportTargets.h"
 
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -14,6 +13,10 @@ namespace Drydock
 
 namespace
 {
+
+constexpr const char* NamesText =
+#include "ImportNames.txt"
+	;
 
 std::string KeepLettersAndDigits(std::string_view Name)
 {
@@ -59,83 +62,12 @@ std::string_view StripPrefixes(std::string_view Name)
 
 const std::vector<FImportNameRule>& GetNameRules()
 {
-	constexpr const char* Display = "is encoded for a display";
-	constexpr const char* Denoiser = "is made for a denoiser";
-	constexpr const char* Crypto = "holds object ids: --toon and --stencil choose objects of it by name";
-	static const std::vector<FImportNameRule> Rules = {
-		{"scenecolor", "color", 5},
-		{"pretonemaphdrcolor", "color", 6},
-		{"combined", "color", 4},
-		{"beauty", "color", 4},
-		{"finalimage", "color", 3},
-		{"rgba", "color", 4, true},
-		{"rgb", "color", 3, true},
-		{"color", "color", 3, true},
-		{"colour", "color", 3, true},
-		{"worlddepth", "depth", 6},
-		{"scenedepthworldunits", "depth", 6},
-		{"depth", "depth", 5},
-		{"z", "depth", 5, true},
-		{"scenedepth", "depth", 2, false, "may be scaled for a display: SceneDepthWorldUnits and WorldDepth are not"},
-		{"mist", "depth", 1, true, "needs --mist START,DEPTH"},
-		{"worldnormal", "normal", 6},
-		{"normal", "normal", 5},
-		{"normals", "normal", 5},
-		{"n", "normal", 4, true},
-		{"cameranormal", "normal", 3, false, "in the camera's space"},
-		{"viewnormal", "normal", 3, false, "in the camera's space"},
-		{"normalcamera", "normal", 3, false, "in the camera's space"},
-		{"normalview", "normal", 3, false, "in the camera's space"},
-		{"motionvectors", "velocity", 6},
-		{"motionvector", "velocity", 6},
-		{"velocity", "velocity", 5},
-		{"vector", "velocity", 5, true},
-		{"motion", "velocity", 4, true},
-		{"mv", "velocity", 4, true},
-		{"basecolor", "basecolor", 6},
-		{"albedo", "basecolor", 5},
-		{"diffcol", "basecolor", 4},
-		{"diffusecolor", "basecolor", 4},
-		{"shadingmodelid", "shadingmodel", 6},
-		{"shadingmodel", "shadingmodel", 5},
-		{"indexma", "shadingmodel", 3},
-		{"materialindex", "shadingmodel", 3},
-		{"matid", "shadingmodel", 3},
-		{"custommask", "custommask", 6},
-		{"toonmask", "custommask", 5},
-		{"outlineid", "custommask", 5},
-		{"shadow", "shadow", 5, true},
-		{"customdepth", "customdepth", 6},
-		{"customstencil", "customstencil", 6},
-		{"stencil", "customstencil", 5, true},
-		{"indexob", "customstencil", 3},
-		{"objectindex", "customstencil", 3},
-		{"objectid", "customstencil", 3},
-		{"id", "customstencil", 2, true},
-		{"ids", "customstencil", 2, true},
-		{"separatetranslucency", "translucency", 6},
-		{"separatetranslucencyrgb", "translucency", 6},
-		{"separatetranslucencya", "translucency", 6},
-		{"translucency", "translucency", 5, true},
-		{"metallic", "metallic", 5},
-		{"metalness", "metallic", 5},
-		{"specular", "specular", 5, true},
-		{"roughness", "roughness", 5},
-		{"ambientocclusion", "ambientocclusion", 5},
-		{"materialao", "ambientocclusion", 6},
-		{"ao", "ambientocclusion", 4, true},
-		{"drydockids", "ids", 6},
-		{"posttonemaphdrcolor", "", 0, false, Display},
-		{"noisyimage", "", 0, false, "is the colour before a denoiser"},
-		{"denoisingnormal", "", 0, false, Denoiser},
-		{"denoisingalbedo", "", 0, false, Denoiser},
-		{"denoisingdepth", "", 0, false, Denoiser},
-		{"actorhitproxymask", "", 0, false, Crypto},
-		{"cryptoobject", "", 0, false, Crypto},
-		{"cryptomaterial", "", 0, false, Crypto},
-		{"cryptoasset", "", 0, false, Crypto},
-		{"cryptomatte", "", 0, false, Crypto},
-	};
+	static const std::vector<FImportNameRule> Rules = ToVector<FImportNameRule>(SplitRows(NamesText),
+		[](const std::vector<std::string>& Columns)
+		{
+			return FImportNameRule{Columns[0], Columns[1] == "-" ? "" : Columns[1], std::stoi(Columns[2]),
+				Columns[3] == "word", Columns.size() > 4 ? Columns[4] : ""};
+		});
 	return Rules;
 }
 

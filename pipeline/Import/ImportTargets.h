@@ -38,11 +38,11 @@ DRYDOCK_API const FImportTarget* FindImportTarget(const std::string& Group);
 /** A name for layers: the rule that it follows. */
 struct FImportNameRule
 {
-	const char* Keyword; // small letters and digits
-	const char* Group;   // empty: no channel takes it, because of Remark
+	std::string Keyword; // small letters and digits
+	std::string Group;   // empty: no channel takes it, because of Remark
 	int Rank;            // of several layers of a group the highest is taken
-	bool bWord = false;  // only as a word of its own
-	const char* Remark = "";
+	bool bWord;          // only as a word of its own
+	std::string Remark;
 };
 
 /** The rule that a layer's name fits best: the whole name, else its end, else a part of it; the longest keyword of

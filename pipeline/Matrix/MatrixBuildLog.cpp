@@ -2,11 +2,11 @@
 #include "Matrix/MatrixBuildLog.h"
 
 #include "Matrix/MatrixLines.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <optional>
 #include <regex>
-#include <sstream>
 
 namespace Drydock
 {
@@ -55,8 +55,7 @@ std::vector<FBuildStep> ReadBuildSteps(const std::string& Log)
 {
 	static const std::regex Begin("^\\[ *\\d+(?:/\\d+|%)\\] (.*)$");
 	std::vector<FBuildStep> Steps;
-	std::istringstream Lines(Log);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Log))
 	{
 		const std::string Cut = CutLine(Line);
 		std::smatch Match;
@@ -97,8 +96,7 @@ std::vector<FMatrixMessage> ReadCompilerMessages(
 	const std::string& Text, ECompilerMessage Kind, const std::string& Folder)
 {
 	std::vector<FMatrixMessage> Messages;
-	std::istringstream Lines(Text);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Text))
 	{
 		std::optional<FMatrixMessage> Message = ReadCompilerMessage(Line, Kind);
 		if (!Message)

@@ -3,10 +3,10 @@
 
 #include "Matrix/MatrixLines.h"
 #include "Text/Json.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <regex>
-#include <sstream>
 
 namespace Drydock
 {
@@ -70,8 +70,7 @@ std::vector<FMatrixPass> ReadPasses(const FJsonValue& Root)
 FMatrixMessage FindFirstError(const std::string& Output)
 {
 	FMatrixMessage Message;
-	std::istringstream Lines(Output);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Output))
 	{
 		FMatrixMessage Found;
 		if (ReadError(Line, Found))

@@ -6,6 +6,7 @@
 #include "Matrix/MatrixVersions.h"
 #include "Text/TextFormat.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -45,11 +46,9 @@ std::string FormatRunWarnings(const FMatrixRun& Run)
 		}
 		++Counts.back().second;
 	}
-	std::string Text;
-	for (const auto& [Code, Count] : Counts)
-	{
-		Text += (Text.empty() ? "" : ", ") + FormatCode(Code) + (Count > 1 ? " x" + std::to_string(Count) : "");
-	}
+	const std::string Text = JoinText(Counts, ", ",
+		[](const auto& Each)
+		{ return FormatCode(Each.first) + (Each.second > 1 ? " x" + std::to_string(Each.second) : ""); });
 	return Text.empty() ? Nothing : Text;
 }
 

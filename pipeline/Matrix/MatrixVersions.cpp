@@ -7,7 +7,6 @@
 #include "TextTools.h"
 
 #include <set>
-#include <sstream>
 
 namespace Drydock
 {
@@ -43,8 +42,7 @@ std::vector<int> ParseMatrixVersions(const std::string& Text)
 			Minors.insert(Row.Minor);
 		}
 	}
-	std::istringstream Parts(Text);
-	for (std::string Part; std::getline(Parts, Part, ',');)
+	for (const std::string& Part : SplitText(Text, ','))
 	{
 		const size_t Dash = Part.find('-');
 		const int First = ParseVersion(Trim(Part.substr(0, Dash)));

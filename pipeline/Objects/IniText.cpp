@@ -173,12 +173,10 @@ std::vector<FIniSection> ReadIniText(
 	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
 {
 	FIniReader Reader(File, Diagnostics);
-	size_t Begin = Text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-	for (int Number = 1; Begin < Text.size(); ++Number)
+	int Number = 0;
+	for (const std::string& Line : SplitText(std::string_view(Text).substr(Text.starts_with("\xEF\xBB\xBF") ? 3 : 0)))
 	{
-		const size_t End = std::min(Text.find('\n', Begin), Text.size());
-		Reader.ReadLine(Text.substr(Begin, End - Begin), Number);
-		Begin = End + 1;
+		Reader.ReadLine(Line, ++Number);
 	}
 	return std::move(Reader.Sections);
 }

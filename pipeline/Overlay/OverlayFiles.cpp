@@ -6,6 +6,7 @@
 #include "Overlay/CppText.h"
 #include "Overlay/OverlayErrors.h"
 #include "Patch/PatchErrors.h"
+#include "RangeTools.h"
 #include "ShaderCore.h"
 #include "ShaderDirectories.h"
 #include "Text/TextFile.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace Drydock
 {
@@ -125,24 +125,13 @@ std::string FindFunction(const std::vector<std::string>& Lines, size_t Line)
 	return "";
 }
 
-std::vector<std::string> SplitLines(const std::string& Text)
-{
-	std::vector<std::string> Lines;
-	std::istringstream Stream(Text);
-	for (std::string Line; std::getline(Stream, Line);)
-	{
-		Lines.push_back(Line);
-	}
-	return Lines;
-}
-
 /** Reads what `diff` prints: two lines of names, then hunks "@@ -a,b +c,d @@". Those of one function are joined. */
 void TakeHunks(
 	const std::string& File, const std::string& Edited, const std::string& Output, std::vector<FOverlayHunk>& Hunks)
 {
-	const std::vector<std::string> Lines = SplitLines(Edited);
+	const std::vector<std::string> Lines = SplitText(Edited);
 	bool bInHunk = false;
-	for (const std::string& Line : SplitLines(Output))
+	for (const std::string& Line : SplitText(Output))
 	{
 		if (Line.starts_with("@@ "))
 		{
@@ -168,12 +157,7 @@ void TakeHunks(
 
 std::vector<std::string> ListOverlayPasses()
 {
-	std::vector<std::string> Names;
-	for (const FPassFunction& Pass : GetPassFunctions())
-	{
-		Names.push_back(GetShortName(Pass.Name));
-	}
-	return Names;
+	return ToVector<std::string>(GetPassFunctions(), [](const FPassFunction& Pass) { return GetShortName(Pass.Name); });
 }
 
 std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::string& Pass)

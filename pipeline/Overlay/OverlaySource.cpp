@@ -31,6 +31,17 @@ std::string Fill(std::string_view Pattern, std::initializer_list<std::string> Va
 	return Text;
 }
 
+/** The block of that name. */
+std::string_view FindBlock(std::string_view Name)
+{
+	constexpr std::string_view Blocks =
+#include "OverlaySource.txt"
+		;
+	const std::string Head = "=== " + std::string(Name) + "\n";
+	const size_t Begin = Blocks.find(Head) + Head.size();
+	return Blocks.substr(Begin, Blocks.find("=== ", Begin) - Begin);
+}
+
 /** A name for C++ from that of a pass function. */
 std::string MakeIdentifier(std::string_view Name)
 {
@@ -44,9 +55,7 @@ std::string MakeIdentifier(std::string_view Name)
 
 std::string Register(std::string_view Name, const std::string& Function)
 {
-	return Fill("const Drydock::FPassReplacement GReplaced_$0($1,\n"
-				"\treinterpret_cast<Drydock::FAnyFunction>($2));\n\n",
-		{MakeIdentifier(Name), QuoteForCpp(std::string(Name)), Function});
+	return Fill(FindBlock("Registration"), {MakeIdentifier(Name), QuoteForCpp(std::string(Name)), Function});
 }
 
 /** A function that fills the overlay's own struct from the members that it still has, and calls the overlay's pass. */
@@ -55,14 +64,9 @@ std::string WritePassWithInputs(const FPassFunction& Pass)
 	std::string Members;
 	for (size_t Index = 0; Index < Pass.Members.size(); ++Index)
 	{
-		Members += Fill("\t\tif constexpr (requires { Given.$0; })\n\t\t{\n"
-						"\t\t\tGiven.$0 = *static_cast<const decltype(Given.$0)*>(Members[$1]);\n\t\t}\n",
-			{Pass.Members[Index], std::to_string(Index)});
+		Members += Fill(FindBlock("Member of inputs"), {Pass.Members[Index], std::to_string(Index)});
 	}
-	return Fill("$0 Call$1(FRDGBuilder& GraphBuilder, const FViewInfo& View, const void* const* Members)\n"
-				"{\n\t$2 Inputs;\n\t[&](auto& Given)\n\t{\n$3\t}(Inputs);\n"
-				"\treturn $1(GraphBuilder, View, Inputs);\n}\n\n",
-			   {Pass.Result, Pass.Name, Pass.Inputs, Members}) +
+	return Fill(FindBlock("Pass with inputs"), {Pass.Result, Pass.Name, Pass.Inputs, Members}) +
 		   Register(Pass.Name, Fill("&Call$0", {Pass.Name}));
 }
 
@@ -77,9 +81,7 @@ std::string WritePass(const FPassFunction& Pass)
 std::string WritePlace(const FOverlayPlace& Place)
 {
 	const std::string Struct = Place.Place->Struct;
-	return Fill("struct F$0 : Drydock::$0\n{\n\tvoid AddPasses()\n\t{\n#line $1 $2\n$3\n\t}\n};\n\n"
-				"void Call$0(Drydock::$0& Place)\n{\n\tF$0{Place}.AddPasses();\n}\n\n",
-			   {Struct, std::to_string(Place.Line), QuoteForCpp(Place.File), Place.Text}) +
+	return Fill(FindBlock("Place"), {Struct, std::to_string(Place.Line), QuoteForCpp(Place.File), Place.Text}) +
 		   Register(Place.Place->Name, "&Call" + Struct);
 }
 
@@ -102,28 +104,9 @@ std::string WriteMember(const FOverlaySetting& Setting)
 	std::string Components;
 	for (const char* const Component : GetComponents(Setting.Type))
 	{
-		Components += Fill("\tstruct F$1\n\t{\n\t\toperator auto() const\n\t\t{\n"
-						   "\t\t\treturn reinterpret_cast<const FAdded$0*>(this)->Get().$1;\n\t\t}\n\t};\n"
-						   "\t[[no_unique_address]] F$1 $1;\n",
-			{Setting.Name, Component});
+		Components += Fill(FindBlock("Component"), {Setting.Name, Component});
 	}
-	return Fill(
-		"struct FAdded$0\n{\n\tstatic $1 Get(const FPostProcessSettings& Settings);\n"
-		"\tstatic bool IsOverridden(const FPostProcessSettings& Settings);\n"
-		"\tstatic void Set(FPostProcessSettings& Settings, const $1& Value);\n"
-		"\tconst FPostProcessSettings& GetSettings() const\n\t{\n"
-		"\t\treturn *reinterpret_cast<const FPostProcessSettings*>(\n"
-		"\t\t\treinterpret_cast<const uint8*>(this) - __builtin_offsetof(FPostProcessSettings, $0));\n\t}\n"
-		"\t$1 Get() const { return Get(GetSettings()); }\n"
-		"\toperator $1() const { return Get(); }\n"
-		"\tFAdded$0& operator=(const $1& Value)\n\t{\n"
-		"\t\tSet(const_cast<FPostProcessSettings&>(GetSettings()), Value);\n\t\treturn *this;\n\t}\n"
-		"$2};\n[[no_unique_address]] FAdded$0 $0;\n"
-		"struct FAddedOverride$0\n{\n\toperator bool() const\n\t{\n"
-		"\t\treturn FAdded$0::IsOverridden(*reinterpret_cast<const FPostProcessSettings*>(\n"
-		"\t\t\treinterpret_cast<const uint8*>(this) - __builtin_offsetof(FPostProcessSettings, bOverride_$0)));\n"
-		"\t}\n};\n[[no_unique_address]] FAddedOverride$0 bOverride_$0;\n",
-		{Setting.Name, Setting.Type, Components});
+	return Fill(FindBlock("Member of settings"), {Setting.Name, Setting.Type, Components});
 }
 
 std::string WriteSetting(const FOverlaySetting& Setting)
@@ -154,19 +137,13 @@ std::string WriteSetting(const FOverlaySetting& Setting)
 	const std::string Zero = GetComponents(Setting.Type).size() == 4 && Setting.Type == "FLinearColor"
 								 ? "FLinearColor(0.0f, 0.0f, 0.0f, 0.0f)"
 								 : Setting.Type + "{}";
-	return Fill("const Drydock::TPostProcessSetting<$1> G$0(\n\tTEXT(\"$0\"), $1($2), {$3});\n\n",
-		{Setting.Name, Setting.Type, Setting.Default.empty() ? Zero : Setting.Default, Info});
+	return Fill(
+		FindBlock("Setting"), {Setting.Name, Setting.Type, Setting.Default.empty() ? Zero : Setting.Default, Info});
 }
 
 std::string WriteAccess(const FOverlaySetting& Setting)
 {
-	return Fill("$1 FPostProcessSettings::FAdded$0::Get(const FPostProcessSettings& Settings)\n{\n"
-				"\treturn G$0.Get(Settings);\n}\n\n"
-				"bool FPostProcessSettings::FAdded$0::IsOverridden(const FPostProcessSettings& Settings)\n{\n"
-				"\treturn G$0.IsOverridden(Settings);\n}\n\n"
-				"void FPostProcessSettings::FAdded$0::Set(FPostProcessSettings& Settings, const $1& Value)\n{\n"
-				"\tG$0.Set(Settings, Value);\n}\n\n",
-		{Setting.Name, Setting.Type});
+	return Fill(FindBlock("Access"), {Setting.Name, Setting.Type});
 }
 
 } // namespace

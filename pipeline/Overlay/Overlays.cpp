@@ -6,6 +6,7 @@
 #include "Overlay/OverlayErrors.h"
 #include "Overlay/OverlaySource.h"
 #include "Patch/PluginBuild.h"
+#include "RangeTools.h"
 #include "ShaderDirectories.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
@@ -225,11 +226,8 @@ FOverlaysOfRun PrepareOverlays(const FConfig& Config, bool bRefuseCode, std::vec
 FScopedOverlays::FScopedOverlays(const FOverlaysOfRun& Overlays)
 	: Replacements(Overlays.Libraries)
 {
-	std::vector<std::string> Shaders;
-	for (const FOverlayFolder& Folder : Overlays.Folders)
-	{
-		Shaders.push_back(Folder.Path + "/Engine/Shaders");
-	}
+	std::vector<std::string> Shaders = ToVector<std::string>(
+		Overlays.Folders, [](const FOverlayFolder& Folder) { return Folder.Path + "/Engine/Shaders"; });
 	ShadersBefore = SetShaderOverlays(std::move(Shaders));
 }
 

@@ -26,13 +26,11 @@ DRYDOCK_API FOverlaysOfRun PrepareOverlays(
 
 /** While it lives, the overlays act: their shaders stand before drydock's, their functions in the table. The libraries
  * must be loaded (LoadPlugins). */
-class DRYDOCK_API FScopedOverlays
+class DRYDOCK_API FScopedOverlays : private FNoncopyable
 {
 public:
 	explicit FScopedOverlays(const FOverlaysOfRun& Overlays);
 	~FScopedOverlays();
-	FScopedOverlays(const FScopedOverlays&) = delete;
-	FScopedOverlays& operator=(const FScopedOverlays&) = delete;
 
 private:
 	std::vector<std::string> ShadersBefore;

@@ -4,6 +4,7 @@
 #include "GlobalShader.h"
 #include "InstallPaths.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace Drydock
 {
@@ -127,8 +127,7 @@ std::vector<std::string> GetNamesOfPatch(const std::string& Name)
 std::set<std::string> FindDeclaredNames(const std::string& Text)
 {
 	std::set<std::string> Names;
-	std::istringstream Lines(Text);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Text))
 	{
 		Names.insert(FindDeclaredName(Line));
 	}

@@ -9,13 +9,13 @@
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 namespace Drydock
@@ -34,17 +34,6 @@ const std::string LogMark = "Written by drydock build.\n";
 [[noreturn]] void Fail(EPluginBuildError Code, const std::string& File, const std::string& Message)
 {
 	throw FError({.Code = Code, .Message = Message, .File = File}, ExitUsage);
-}
-
-std::vector<std::string> SplitLines(const std::string& Text)
-{
-	std::vector<std::string> Lines;
-	std::istringstream Stream(Text);
-	for (std::string Line; std::getline(Stream, Line);)
-	{
-		Lines.push_back(Line);
-	}
-	return Lines;
 }
 
 /** The first file of Folder with that extension; empty: none. */
@@ -181,7 +170,7 @@ std::string TakeErrors(const std::string& Output, const std::string& LogFile)
 	std::string Errors;
 	size_t Count = 0;
 	std::vector<std::string> Said;
-	for (const std::string& Line : SplitLines(Output))
+	for (const std::string& Line : SplitText(Output))
 	{
 		const bool bError = Line.find("error:") != std::string::npos ||
 							Line.find("undefined reference") != std::string::npos ||
@@ -205,7 +194,7 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 {
 	std::string Text;
 	bool bError = false;
-	for (const std::string& Line : SplitLines(Output))
+	for (const std::string& Line : SplitText(Output))
 	{
 		if (Line.starts_with("CMake Error"))
 		{
@@ -280,7 +269,7 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 		Fail(bNoPlugin ? ErrorNoPlugin : ErrorPluginNotConfigured, Build.Folder, Refusal);
 	}
 	const std::string Prefix = "-- " + Build.Name + ": ";
-	for (const std::string& Line : SplitLines(Configured))
+	for (const std::string& Line : SplitText(Configured))
 	{
 		if (Line.starts_with(Prefix))
 		{

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <string>
 
@@ -9,13 +10,11 @@ namespace Drydock
 {
 
 /** While it lives, an FImageFile of this name that this thread makes reads these bytes, and no file. One at a time. */
-class DRYDOCK_API FImageBytes
+class DRYDOCK_API FImageBytes : private FNoncopyable
 {
 public:
 	FImageBytes(const std::string& InName, const std::string& InBytes);
 	~FImageBytes();
-	FImageBytes(const FImageBytes&) = delete;
-	FImageBytes& operator=(const FImageBytes&) = delete;
 
 	/** Null where the thread has none of this name. */
 	static const std::string* Find(const std::string& Name);

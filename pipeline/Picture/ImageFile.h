@@ -5,6 +5,7 @@
 #include "Diagnostics.h"
 #include "Picture/ImageReader.h"
 #include "Picture/PngWriter.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <map>
 #include <memory>
@@ -38,15 +39,13 @@ enum class EImageExtent : uint8_t
 };
 
 /** An image file of which the header has been read. */
-class DRYDOCK_API FImageFile
+class DRYDOCK_API FImageFile : private FNoncopyable
 {
 public:
 	/** Throws FError (exit code 3): missing, no image, or larger than any frame. Extent is that of the first part, for
 	 * all but ReadPart. */
 	explicit FImageFile(const std::string& InPath, EImageExtent Extent = EImageExtent::Stored);
 	~FImageFile();
-	FImageFile(const FImageFile&) = delete;
-	FImageFile& operator=(const FImageFile&) = delete;
 
 	const std::string& GetPath() const { return Path; }
 	int GetWidth() const { return Width; }

@@ -2,6 +2,7 @@
 #include "Picture/PngReader.h"
 
 #include "Picture/ImagePlane.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <png.h>
 
@@ -18,7 +19,7 @@ namespace Drydock
 namespace
 {
 
-class FPngReader final : public IImageReader
+class FPngReader final : public IImageReader, private FNoncopyable
 {
 public:
 	FPngReader(const std::string& Path, FImageBytesPointer Bytes)
@@ -45,8 +46,6 @@ public:
 	}
 
 	~FPngReader() override { Destroy(); }
-	FPngReader(const FPngReader&) = delete;
-	FPngReader& operator=(const FPngReader&) = delete;
 
 	const std::vector<FImagePart>& GetParts() const override { return Parts; }
 

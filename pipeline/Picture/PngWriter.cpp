@@ -2,6 +2,7 @@
 #include "Picture/PngWriter.h"
 
 #include "Picture/ImageErrors.h"
+#include "Templates/UnrealTemplate.h"
 #include "Text/TextFile.h"
 
 #include <array>
@@ -19,7 +20,7 @@ namespace
 
 /** One file on its way. Its calls of the library are left by a long jump where they fail: they hold nothing that wants
  * destroying. */
-class FPngWriter
+class FPngWriter : private FNoncopyable
 {
 public:
 	FPngWriter()
@@ -29,8 +30,6 @@ public:
 	}
 
 	~FPngWriter() { png_destroy_write_struct(&Png, &Info); }
-	FPngWriter(const FPngWriter&) = delete;
-	FPngWriter& operator=(const FPngWriter&) = delete;
 
 	bool Begin(int Width, int Height, int NumChannels, EPngEffort Effort)
 	{

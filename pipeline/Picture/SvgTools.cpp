@@ -11,32 +11,9 @@ namespace Drydock
 namespace
 {
 
-/** The first colours are those that colour-blind readers tell apart too. */
-const char* const LightStyle =
-	"text{font:12px system-ui,-apple-system,'Segoe UI',Helvetica,Arial,sans-serif;fill:#1f2328}\n"
-	".title{font-size:19px;font-weight:600}.name{font-size:13.5px;font-weight:600}.plain{font-weight:400}"
-	".quiet{fill:#59636e}.tick,.label,.budgettext{font-size:11px}.strong{font-weight:600}\n"
-	".end{text-anchor:end}.mid{text-anchor:middle}.page{fill:#ffffff}.plot{fill:#818b98;fill-opacity:.06}\n"
-	".grid{stroke:#d1d9e0;stroke-width:.7}.mark{stroke:#818b98;stroke-dasharray:2 3;stroke-opacity:.6}"
-	".leader{stroke:#818b98;stroke-width:.8}.budget{stroke:#cf222e;stroke-width:1.2;stroke-dasharray:6 4}"
-	".budgettext{fill:#cf222e}.within{fill:#1a7f37;fill-opacity:.07}\n"
-	".line{fill:none;stroke:currentColor;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}"
-	".front{color:#1f2328;stroke-width:1.6;stroke-opacity:.55}"
-	".whisker{stroke:currentColor;stroke-width:1.4;stroke-opacity:.6}\n"
-	".dot{fill:currentColor;stroke:#ffffff;stroke-width:1.2}.off{fill-opacity:.35}.own{fill:currentColor}"
-	".pick{fill:none;stroke:#1a7f37;stroke-width:2.2}.now{fill:none;stroke:#1f2328;stroke-width:1.5;"
-	"stroke-dasharray:3 2.4}stop{stop-color:currentColor}\n"
-	".c0{color:#d9730d}.c1{color:#2f6fdb}.c2{color:#2a9d68}.c3{color:#a651b5}.c4{color:#b08d00}.c5{color:#1b97b0}"
-	".c6{color:#c2335c}.c7{color:#6e7781}.c8{color:#5b4fc9}.c9{color:#7a8f1e}.ink{color:#1f2328}.red{color:#cf222e}"
-	".green{color:#1a7f37}.blue{color:#0969da}.grey{color:#8c959f}\n";
-
-const char* const DarkStyle =
-	"@media (prefers-color-scheme:dark){text{fill:#e6edf3}.quiet{fill:#9198a1}.page{fill:#0d1117}"
-	".grid{stroke:#30363d}.dot{stroke:#0d1117}.front,.ink{color:#e6edf3}.now{stroke:#e6edf3}.pick{stroke:#3fb950}"
-	".budget{stroke:#ff7b72}.budgettext{fill:#ff7b72}.within{fill:#3fb950}\n"
-	".c0{color:#f0883e}.c1{color:#58a6ff}.c2{color:#3fb950}.c3{color:#d2a8ff}.c4{color:#e3b341}.c5{color:#56d4dd}"
-	".c6{color:#ff7b9c}.c7{color:#9198a1}.c8{color:#a5a0ff}.c9{color:#b9ce5a}.red{color:#ff7b72}"
-	".green{color:#56d364}.blue{color:#79c0ff}}\n";
+constexpr const char* SvgStyle =
+#include "SvgStyle.txt"
+	;
 
 } // namespace
 
@@ -71,23 +48,11 @@ std::string EscapeXml(const std::string& Text)
 	std::string Escaped;
 	for (const char Character : Text)
 	{
-		switch (Character)
-		{
-		case '&':
-			Escaped += "&amp;";
-			break;
-		case '<':
-			Escaped += "&lt;";
-			break;
-		case '>':
-			Escaped += "&gt;";
-			break;
-		case '"':
-			Escaped += "&quot;";
-			break;
-		default:
-			Escaped += static_cast<unsigned char>(Character) < 0x20 ? ' ' : Character;
-		}
+		Escaped += Character == '&'   ? "&amp;"
+				   : Character == '<' ? "&lt;"
+				   : Character == '>' ? "&gt;"
+				   : Character == '"' ? "&quot;"
+									  : std::string(1, static_cast<unsigned char>(Character) < 0x20 ? ' ' : Character);
 	}
 	return Escaped;
 }
@@ -147,9 +112,9 @@ std::string SvgPath(const std::vector<FSvgPoint>& Points, const std::string& Cla
 std::string BeginSvg(double Height, const std::string& Title)
 {
 	return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-					   "role=\"img\" aria-label=\"{2}\">\n<style>\n{3}{4}</style>\n"
+					   "role=\"img\" aria-label=\"{2}\">\n<style>\n{3}</style>\n"
 					   "<rect width=\"{0}\" height=\"{1}\" rx=\"8\" class=\"page\"/>\n",
-		Px(SvgPageWidth), Px(Height), EscapeXml(Title), LightStyle, DarkStyle);
+		Px(SvgPageWidth), Px(Height), EscapeXml(Title), SvgStyle);
 }
 
 } // namespace Drydock

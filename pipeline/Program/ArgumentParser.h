@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Program/Verbs.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <functional>
 #include <memory>
@@ -146,13 +147,11 @@ struct FParsedArguments
 };
 
 /** The parser of the program's arguments. */
-class FArgumentParser
+class FArgumentParser : private FNoncopyable
 {
 public:
 	/** Verbs: one that others stand under is before them. */
 	FArgumentParser(const FProgramText& Text, const std::vector<FVerb>& Verbs);
-	FArgumentParser(const FArgumentParser&) = delete;
-	FArgumentParser& operator=(const FArgumentParser&) = delete;
 	~FArgumentParser();
 
 	/** Finds the verb, sets its variables and calls it. Arguments: those behind the program's name. `--passes` is read

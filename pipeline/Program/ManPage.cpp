@@ -60,45 +60,9 @@ std::string MakeVerb(const FVerbModel& Verb)
 	return Text;
 }
 
-constexpr const char* Ending = R"(.SH EXIT STATUS
-.TP
-0
-Done.
-.TP
-1
-A comparison, budget or numeric policy failed.
-.TP
-2
-Usage, config, graph or shader error.
-.TP
-3
-A file cannot be read or written.
-.TP
-70
-A fault of drydock's own.
-.TP
-71
-A plugin's code crashed, threw or did not come back.
-.TP
-128 + N
-Signal N ended it.
-.SH ENVIRONMENT
-.TP
-DRYDOCK_CACHE_DIR
-Folder of the shader cache; by default drydock in XDG_CACHE_HOME, else ~/.cache/drydock.
-.TP
-DRYDOCK_CXX_SECONDS, DRYDOCK_GLSLANG_SECONDS, DRYDOCK_LOCK_SECONDS
-How long the compilers get for a shader, and a run waits for another that compiles the same.
-.TP
-COLUMNS
-Width that tables fit where they go to a terminal; by default what the terminal says.
-.TP
-NO_COLOR
-No colours.
-.TP
-TMPDIR
-Where temporary files go.
-)";
+constexpr const char* Ending =
+#include "ManPage.txt"
+	;
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // Finds the groups of verbs and the words that options take.
 #include "Program/ProgramModel.h"
 
-#include "Config/ConfigKeys.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ std::vector<std::string> FindWords(const std::string& Type)
 	const std::string Words = EndsInList(Type) ? Type.substr(0, Type.size() - 4) : Type;
 	const bool bWords = Words.find('|') != std::string::npos &&
 						Words.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-|") == std::string::npos;
-	return bWords ? SplitAlternatives(Words) : std::vector<std::string>();
+	return bWords ? SplitText(Words, '|') : std::vector<std::string>();
 }
 
 } // namespace

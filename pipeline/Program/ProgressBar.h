@@ -2,19 +2,18 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <string>
 
 namespace Drydock
 {
 
-class FProgressBar
+class FProgressBar : private FNoncopyable
 {
 public:
 	FProgressBar();
 	~FProgressBar() { Clear(); }
-	FProgressBar(const FProgressBar&) = delete;
-	FProgressBar& operator=(const FProgressBar&) = delete;
 
 	void Show(int Done, int Total, const std::string& What);
 	void Clear();

@@ -33,6 +33,8 @@ std::vector<size_t> GetAllSettings()
 	return All;
 }
 
+} // namespace
+
 FVerbCall AddBlendOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FBlendOptions>();
@@ -62,16 +64,6 @@ FVerbCall AddBlendOptions(FVerbOptions& Verb)
 		return Options->Path.empty() ? PrintSettingStory(*Options) : WalkAlongPath(*Options);
 	};
 }
-
-const FVerbRegistration GBlendRegistration({
-	.Name = "blend",
-	.Place = 30,
-	.Group = EVerbGroup::Ask,
-	.Doc = "Print the blended settings at a location and the origin of each",
-	.AddOptions = AddBlendOptions,
-});
-
-} // namespace
 
 int PrintSettingStory(const FBlendOptions& Options)
 {

@@ -49,6 +49,8 @@ int Build(const FBuildOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddBuildOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FBuildOptions>();
@@ -65,15 +67,5 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, engine, library and the files left out");
 	return CallWith(Options, Build);
 }
-
-const FVerbRegistration GBuildRegistration({
-	.Name = "build",
-	.Place = 115,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Build a plugin's folder as it is, for use in a config",
-	.AddOptions = AddBuildOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

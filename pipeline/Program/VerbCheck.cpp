@@ -83,6 +83,8 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 	return ExitCode;
 }
 
+} // namespace
+
 FVerbCall AddCheckOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FCheckOptions>();
@@ -95,15 +97,5 @@ FVerbCall AddCheckOptions(FVerbOptions& Verb)
 			Options->JUnit, Options->Run.ConfigFile, [&Options](FJUnitSuite& Suite) { return Check(*Options, Suite); });
 	};
 }
-
-const FVerbRegistration GCheckRegistration({
-	.Name = "check",
-	.Place = 20,
-	.Group = EVerbGroup::Run,
-	.Doc = "Validate a config, compile its frame and shaders; draw nothing",
-	.AddOptions = AddCheckOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -16,9 +16,6 @@
 namespace Drydock
 {
 
-namespace
-{
-
 FVerbCall AddCompletion(FVerbOptions& Verb)
 {
 	const auto Shell = std::make_shared<std::string>();
@@ -57,31 +54,5 @@ FVerbCall AddSchema(FVerbOptions& Verb)
 		return ExitDone;
 	};
 }
-
-const FVerbRegistration GCompletion({
-	.Name = "completion",
-	.Place = 130,
-	.Group = EVerbGroup::Shell,
-	.Doc = "Print the script that completes drydock's command line",
-	.AddOptions = AddCompletion,
-});
-
-const FVerbRegistration GMan({
-	.Name = "man",
-	.Place = 131,
-	.Group = EVerbGroup::Shell,
-	.Doc = "Print the manual page",
-	.AddOptions = AddMan,
-});
-
-const FVerbRegistration GSchema({
-	.Name = "schema",
-	.Place = 132,
-	.Group = EVerbGroup::Shell,
-	.Doc = "Print the JSON schema of configs, for completion in editors",
-	.AddOptions = AddSchema,
-});
-
-} // namespace
 
 } // namespace Drydock

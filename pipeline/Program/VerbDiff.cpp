@@ -386,6 +386,8 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	return bPassed ? ExitDone : ExitPolicy;
 }
 
+} // namespace
+
 FVerbCall AddDiffOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FDiffOptions>();
@@ -407,15 +409,5 @@ FVerbCall AddDiffOptions(FVerbOptions& Verb)
 			[&Options](FJUnitSuite& Suite) { return Diff(*Options, Suite); });
 	};
 }
-
-const FVerbRegistration GDiffRegistration({
-	.Name = "diff",
-	.Place = 60,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Compare two images, or two runs picture by picture",
-	.AddOptions = AddDiffOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -142,6 +142,8 @@ int Explain(const FExplainOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddExplainOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FExplainOptions>();
@@ -163,15 +165,5 @@ FVerbCall AddExplainOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print effects, passes and costs as JSON");
 	return CallWith(Options, Explain);
 }
-
-const FVerbRegistration GExplainRegistration({
-	.Name = "explain",
-	.Place = 70,
-	.Group = EVerbGroup::Ask,
-	.Doc = "List the effects and passes that run, and why others do not",
-	.AddOptions = AddExplainOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

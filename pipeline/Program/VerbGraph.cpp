@@ -65,6 +65,8 @@ int PrintGraph(const FGraphOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddGraphOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FGraphOptions>();
@@ -75,15 +77,5 @@ FVerbCall AddGraphOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, as --format json does");
 	return CallWith(Options, PrintGraph);
 }
-
-const FVerbRegistration GGraphRegistration({
-	.Name = "graph",
-	.Place = 40,
-	.Group = EVerbGroup::Ask,
-	.Doc = "Print the compiled graph of a config without running it",
-	.AddOptions = AddGraphOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -91,6 +91,8 @@ int RunHazards(FHazardsVerbOptions Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FHazardsVerbOptions>();
@@ -108,15 +110,5 @@ FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return CallWith(Options, RunHazards);
 }
-
-const FVerbRegistration GHazardsRegistration({
-	.Name = "hazards",
-	.Place = 46,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Test one pass with NaN, infinities and other extreme inputs",
-	.AddOptions = AddHazardsOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -94,6 +94,8 @@ int Import(const FImportOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddImportOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FImportOptions>();
@@ -124,15 +126,5 @@ FVerbCall AddImportOptions(FVerbOptions& Verb)
 		return Import(*Options);
 	};
 }
-
-const FVerbRegistration GImportRegistration({
-	.Name = "import",
-	.Place = 105,
-	.Group = EVerbGroup::Run,
-	.Doc = "Make a scene and a config from a frame of Unreal or Blender",
-	.AddOptions = AddImportOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -302,6 +302,8 @@ int Lint(const FLintOptions& Options)
 	return bFails ? ExitPolicy : ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddLintOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FLintOptions>();
@@ -317,15 +319,5 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return CallWith(Options, Lint);
 }
-
-const FVerbRegistration GLintRegistration({
-	.Name = "lint",
-	.Place = 47,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Report shader code that fails on D3D11, SM6, Vulkan, Metal, mobile",
-	.AddOptions = AddLintOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

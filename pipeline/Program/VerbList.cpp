@@ -12,6 +12,7 @@
 #include "Program/VariableList.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "RangeTools.h"
 #include "Run/RunDump.h"
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
@@ -196,10 +197,7 @@ int PrintSettings(const FListOptions& Options)
 	const std::vector<const FSettingField*> Fields = FindSettingFields(Options.Filter);
 	if (Options.bNames)
 	{
-		std::vector<std::string> Names;
-		std::transform(Fields.begin(), Fields.end(), std::back_inserter(Names),
-			[](const FSettingField* Field) { return Field->Name; });
-		PrintNames(Names);
+		PrintNames(ToVector<std::string>(Fields, &FSettingField::Name));
 		return ExitDone;
 	}
 	if (Fields.empty())
@@ -219,13 +217,9 @@ int PrintList(const FListOptions& Options)
 	}
 	if (Options.Things == "cvars")
 	{
-		std::vector<std::string> Names;
 		const auto All = ListConsoleVariables();
-		for (const FConsoleVariableInfo& Info : FilterConsoleVariables({All.begin(), All.end()}, Options.Filter))
-		{
-			Names.emplace_back(*Info.Name);
-		}
-		PrintNames(Names);
+		PrintNames(ToVector<std::string>(FilterConsoleVariables({All.begin(), All.end()}, Options.Filter),
+			[](const FConsoleVariableInfo& Info) { return *Info.Name; }));
 		return ExitDone;
 	}
 	if (Options.Things == "settings")
@@ -240,18 +234,16 @@ int PrintList(const FListOptions& Options)
 	Table.Rows.erase(std::remove_if(Table.Rows.begin(), Table.Rows.end(), IsFilteredOut), Table.Rows.end());
 	if (Options.bNames)
 	{
-		std::vector<std::string> Names;
-		for (const std::vector<std::string>& Row : Table.Rows)
-		{
-			// A pass is listed without its size, because that is its name on the command line.
-			Names.push_back(Options.Things == "passes" ? GetShortPassName(Row[0]) : Row[0]);
-		}
-		PrintNames(Names);
+		// A pass is listed without its size, because that is its name on the command line.
+		PrintNames(ToVector<std::string>(Table.Rows, [&](const std::vector<std::string>& Row)
+			{ return Options.Things == "passes" ? GetShortPassName(Row[0]) : Row[0]; }));
 		return ExitDone;
 	}
 	PrintResult(Options.bJson ? MakeListJson(Table) : MakeListText(Table), Options.bJson);
 	return ExitDone;
 }
+
+} // namespace
 
 FVerbCall AddListOptions(FVerbOptions& Verb)
 {
@@ -269,15 +261,5 @@ FVerbCall AddListOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print an array of objects");
 	return CallWith(Options, PrintList);
 }
-
-const FVerbRegistration GListRegistration({
-	.Name = "list",
-	.Place = 80,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "List passes, settings, console variables, effects, hooks, ...",
-	.AddOptions = AddListOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

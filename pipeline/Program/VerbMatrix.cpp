@@ -77,6 +77,8 @@ int MakeMatrix(const FMatrixOptions& Options, FJUnitSuite& Suite)
 	return GetMatrixExitCode(Matrix);
 }
 
+} // namespace
+
 FVerbCall AddMatrixOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FMatrixOptions>();
@@ -101,15 +103,5 @@ FVerbCall AddMatrixOptions(FVerbOptions& Verb)
 			[&Options](FJUnitSuite& Suite) { return MakeMatrix(*Options, Suite); });
 	};
 }
-
-const FVerbRegistration GMatrixRegistration({
-	.Name = "matrix",
-	.Place = 117,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Build and run a plugin under every engine version, side by side",
-	.AddOptions = AddMatrixOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -113,6 +113,8 @@ int MakePatch(const FNewPatchOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddNewOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FNewPatchOptions>();
@@ -122,15 +124,5 @@ FVerbCall AddNewOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: name, folder, files and the next commands");
 	return CallWith(Options, MakePatch);
 }
-
-const FVerbRegistration GNewRegistration({
-	.Name = "new",
-	.Place = 110,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Make a new patch to start from: sources, shader, config, test",
-	.AddOptions = AddNewOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -13,6 +13,12 @@
 namespace Drydock
 {
 
+FVerbCall AddVerbsBelow(FVerbOptions& Verb)
+{
+	Verb.RequireVerb();
+	return nullptr;
+}
+
 void AddVariables(FVerbOptions& Verb, FRunOptions& Options)
 {
 	Verb.AddInOrder(

@@ -98,11 +98,7 @@ int CompareOverlays(const FOverlayDiffOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddOverlayOptions(FVerbOptions& Verb)
-{
-	Verb.RequireVerb();
-	return nullptr;
-}
+} // namespace
 
 FVerbCall AddOverlayNewOptions(FVerbOptions& Verb)
 {
@@ -124,31 +120,5 @@ FVerbCall AddOverlayDiffOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON: the hunks, and the files that were not compared");
 	return CallWith(Options, CompareOverlays);
 }
-
-const FVerbRegistration GOverlayRegistration({
-	.Name = "overlay",
-	.Place = 111,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Edit files of the engine in place of drydock's: new, diff",
-	.AddOptions = AddOverlayOptions,
-});
-
-const FVerbRegistration GOverlayNewRegistration({
-	.Name = "overlay new",
-	.Place = 112,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Make an overlay: the files of one pass, to be edited, and a config",
-	.AddOptions = AddOverlayNewOptions,
-});
-
-const FVerbRegistration GOverlayDiffRegistration({
-	.Name = "overlay diff",
-	.Place = 113,
-	.Group = EVerbGroup::Patch,
-	.Doc = "Print an overlay's changed lines, to carry over to the engine",
-	.AddOptions = AddOverlayDiffOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

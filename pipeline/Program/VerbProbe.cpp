@@ -88,6 +88,8 @@ int Probe(FProbeVerbOptions Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddProbeOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProbeVerbOptions>();
@@ -106,15 +108,5 @@ FVerbCall AddProbeOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with all texels read");
 	return CallWith(Options, Probe);
 }
-
-const FVerbRegistration GProbeRegistration({
-	.Name = "probe",
-	.Place = 42,
-	.Group = EVerbGroup::Ask,
-	.Doc = "Print the values of a pixel that each pass reads and writes",
-	.AddOptions = AddProbeOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -35,6 +35,8 @@ int Prove(FProveVerbOptions Options)
 	return bHolds ? ExitDone : ExitPolicy;
 }
 
+} // namespace
+
 FVerbCall AddProveOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FProveVerbOptions>();
@@ -43,15 +45,5 @@ FVerbCall AddProveOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
 	return CallWith(Options, Prove);
 }
-
-const FVerbRegistration GProveRegistration({
-	.Name = "prove",
-	.Place = 45,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Check that threads, lanes, ... do not change a config's result",
-	.AddOptions = AddProveOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

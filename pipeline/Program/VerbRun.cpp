@@ -255,6 +255,8 @@ int RunOrWatch(const FRunVerbOptions& Options)
 	return RunOnce(Once);
 }
 
+} // namespace
+
 FVerbCall AddRunOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FRunVerbOptions>();
@@ -300,15 +302,5 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
 	return CallWith(Options, RunOrWatch);
 }
-
-const FVerbRegistration GRunRegistration({
-	.Name = "run",
-	.Place = 10,
-	.Group = EVerbGroup::Run,
-	.Doc = "Run the frame of a config and write its pictures and reports",
-	.AddOptions = AddRunOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -204,19 +204,7 @@ int ExportSettings(const FSettingsExportOptions& Options)
 	return ExitDone;
 }
 
-FVerbCall AddNothing(FVerbOptions& Verb)
-{
-	Verb.RequireVerb();
-	return nullptr;
-}
-
-const FVerbRegistration GSettingsRegistration({
-	.Name = "settings",
-	.Place = 100,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "Engine paste text to and from configs: import, export, plan",
-	.AddOptions = AddNothing,
-});
+} // namespace
 
 FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 {
@@ -229,14 +217,6 @@ FVerbCall AddSettingsImportOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print an object of volumes and messages");
 	return CallWith(Options, ImportSettings);
 }
-
-const FVerbRegistration GSettingsImportRegistration({
-	.Name = "settings import",
-	.Place = 101,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "Print text copied in the editor as the volumes of a config",
-	.AddOptions = AddSettingsImportOptions,
-});
 
 FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 {
@@ -252,15 +232,5 @@ FVerbCall AddSettingsExportOptions(FVerbOptions& Verb)
 	AddTrust(Verb, Options->Run);
 	return CallWith(Options, ExportSettings);
 }
-
-const FVerbRegistration GSettingsExportRegistration({
-	.Name = "settings export",
-	.Place = 102,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "Print the volumes of a config as actors to paste into the editor",
-	.AddOptions = AddSettingsExportOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <sstream>
 
 namespace Drydock
 {
@@ -92,8 +91,7 @@ std::string MakePlanDiff(const FSettingsPlanOptions& Options, const std::vector<
 	for (const FSettingPlace& Place : Places)
 	{
 		FOverlayHunk& Hunk = Hunks.emplace_back(FOverlayHunk{Place.File, Place.Where, "", false});
-		std::istringstream Lines(Place.Text);
-		for (std::string Line; std::getline(Lines, Line);)
+		for (const std::string& Line : SplitText(Place.Text))
 		{
 			Hunk.Lines += "+" + Line + "\n";
 		}
@@ -129,6 +127,8 @@ int PrintPlan(const FSettingsPlanOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSettingsPlanOptions>();
@@ -147,15 +147,5 @@ FVerbCall AddSettingsPlanOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print an array of places");
 	return CallWith(Options, PrintPlan);
 }
-
-const FVerbRegistration GSettingsPlanRegistration({
-	.Name = "settings plan",
-	.Place = 103,
-	.Group = EVerbGroup::LookUp,
-	.Doc = "List every place that an engine patch for settings changes",
-	.AddOptions = AddSettingsPlanOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -124,6 +124,8 @@ int MakeSheet(const FSheetVerbOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddSheetOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSheetVerbOptions>();
@@ -143,15 +145,5 @@ FVerbCall AddSheetOptions(FVerbOptions& Verb)
 		.SetType("X,Y,WIDTH,HEIGHT[,GAIN]");
 	return CallWith(Options, MakeSheet);
 }
-
-const FVerbRegistration GSheetRegistration({
-	.Name = "sheet",
-	.Place = 90,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Put pictures side by side into one, each with a caption",
-	.AddOptions = AddSheetOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -142,6 +142,8 @@ int RunStudy(const FStudyOptions& Options, FJUnitSuite& Suite)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddStudyOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FStudyOptions>();
@@ -158,15 +160,5 @@ FVerbCall AddStudyOptions(FVerbOptions& Verb)
 			[&Options](FJUnitSuite& Suite) { return RunStudy(*Options, Suite); });
 	};
 }
-
-const FVerbRegistration GStudyRegistration({
-	.Name = "study",
-	.Place = 50,
-	.Group = EVerbGroup::Measure,
-	.Doc = "Measure the cost of accuracy: the variants of a config's study",
-	.AddOptions = AddStudyOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -71,6 +71,8 @@ int Trace(FTraceVerbOptions Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddTraceOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FTraceVerbOptions>();
@@ -90,15 +92,5 @@ FVerbCall AddTraceOptions(FVerbOptions& Verb)
 	Verb.AddFlag("--json", Options->bJson, "Print JSON, with every iteration of every loop");
 	return CallWith(Options, Trace);
 }
-
-const FVerbRegistration GTraceRegistration({
-	.Name = "trace",
-	.Place = 44,
-	.Group = EVerbGroup::Ask,
-	.Doc = "Print the computation of a pass's shader for one pixel, by line",
-	.AddOptions = AddTraceOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

@@ -50,6 +50,8 @@ int Warm(const FWarmOptions& Options)
 	return ExitDone;
 }
 
+} // namespace
+
 FVerbCall AddWarmOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FWarmOptions>();
@@ -60,15 +62,5 @@ FVerbCall AddWarmOptions(FVerbOptions& Verb)
 		"Compile every shader class of the plugins, even if the frame does not use it, up to 256 permutations each");
 	return CallWith(Options, Warm);
 }
-
-const FVerbRegistration GWarmRegistration({
-	.Name = "warm",
-	.Place = 120,
-	.Group = EVerbGroup::Run,
-	.Doc = "Compile the shaders of configs into the shader cache",
-	.AddOptions = AddWarmOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

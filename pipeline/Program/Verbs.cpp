@@ -1,22 +1,8 @@
-// Collects the verbs that register themselves.
+// Makes the list of verbs from its rows.
 #include "Program/Verbs.h"
-
-#include <algorithm>
 
 namespace Drydock
 {
-
-namespace
-{
-
-/** Made by the first registration, because files are initialised in no defined order. */
-std::vector<FVerb>& GetRegistered()
-{
-	static std::vector<FVerb> Verbs;
-	return Verbs;
-}
-
-} // namespace
 
 const char* ToString(EVerbGroup Group)
 {
@@ -25,15 +11,13 @@ const char* ToString(EVerbGroup Group)
 	return Titles[size_t(Group)];
 }
 
-FVerbRegistration::FVerbRegistration(const FVerb& Verb)
+const std::vector<FVerb>& GetVerbs()
 {
-	GetRegistered().push_back(Verb);
-}
-
-std::vector<FVerb> GetVerbs()
-{
-	std::vector<FVerb> Verbs = GetRegistered();
-	std::sort(Verbs.begin(), Verbs.end(), [](const FVerb& A, const FVerb& B) { return A.Place < B.Place; });
+	static const std::vector<FVerb> Verbs = {
+#define DRYDOCK_VERB(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, AddOptions},
+#include "Program/VerbTable.inl"
+#undef DRYDOCK_VERB
+	};
 	return Verbs;
 }
 

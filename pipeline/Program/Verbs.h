@@ -1,5 +1,5 @@
-// The list of the program's verbs: each registers itself from a file of its own (VerbRun.cpp, ...), with its options
-// and its help, so that a new verb needs no other file.
+// The list of the program's verbs. Each has a row in VerbTable.inl, and a file of its own (VerbRun.cpp, ...) with its
+// options.
 #pragma once
 
 #include "Diagnostics.h"
@@ -44,7 +44,6 @@ const char* ToString(EVerbGroup Group);
 struct FVerb
 {
 	const char* Name; // as it is typed; "settings plan" stands under the verb "settings"
-	int Place;        // --help lists the verbs of a group by ascending places, which are all different
 	EVerbGroup Group;
 	const char* Doc; // one line of --help, of 66 characters at most
 
@@ -52,13 +51,11 @@ struct FVerb
 	FVerbCall (*AddOptions)(FVerbOptions& Verb);
 };
 
-/** `const FVerbRegistration Registration({.Name = "run", ...});` in the verb's file adds it to the program. */
-struct FVerbRegistration
-{
-	explicit FVerbRegistration(const FVerb& Verb);
-};
+#define DRYDOCK_VERB(Name, Group, AddOptions, Doc) FVerbCall AddOptions(FVerbOptions& Verb);
+#include "Program/VerbTable.inl"
+#undef DRYDOCK_VERB
 
-/** All verbs, in ascending order of their places. */
-std::vector<FVerb> GetVerbs();
+/** All verbs, in the order of VerbTable.inl. */
+const std::vector<FVerb>& GetVerbs();
 
 } // namespace Drydock

@@ -6,6 +6,7 @@
 #include "Run/VariableTaps.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,11 +142,7 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 			Final.Changed, Final.NumPixels, FormatShare(Final.Changed, Final.NumPixels), Final.White,
 			FormatShare(Final.White, Final.NumPixels), Final.NotFinite);
 	}
-	std::string Where;
-	for (const FNonFiniteChannel& Channel : InFile)
-	{
-		Where += (Where.empty() ? "" : ", ") + Channel.Where;
-	}
+	const std::string Where = JoinText(InFile, ", ", &FNonFiniteChannel::Where);
 	return {.Severity = ESeverity::Warning,
 		.Code = WarnNonFiniteSpread,
 		.Message = std::move(Message),

@@ -21,14 +21,12 @@ struct FRunSetup;
 
 /** One config, frame after frame: its extensions and console variables live as long as the session, and what lives on
  * of the views goes from one frame to the next by the caller's hand. One session at a time. */
-class DRYDOCK_API FRunSession
+class DRYDOCK_API FRunSession : private FNoncopyable
 {
 public:
 	/** Reads the config and decides. Throws as RunConfig. Options.Frame: the first frame. */
 	explicit FRunSession(const FRunOptions& InOptions);
 	~FRunSession();
-	FRunSession(const FRunSession&) = delete;
-	FRunSession& operator=(const FRunSession&) = delete;
 
 	/** Config of the last frame; before one, of the first. */
 	const FConfig& GetConfig() const;

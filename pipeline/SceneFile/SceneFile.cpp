@@ -58,8 +58,7 @@ FSceneFile::FSceneFile(const FConfig& InConfig, FSceneCache* InCache)
 
 const FScenePacking* FSceneFile::FindPacking(const std::string& Texture) const
 {
-	const auto Own = std::find_if(
-		OwnTextures.begin(), OwnTextures.end(), [&](const FOwnTexture& Each) { return Each.Name == Texture; });
+	const auto Own = std::ranges::find(OwnTextures, Texture, &FOwnTexture::Name);
 	return Own != OwnTextures.end() ? &Own->Packing : FindScenePacking(Texture);
 }
 

@@ -3,13 +3,13 @@
 #include "SceneFile/SceneTexturePacking.h"
 
 #include "Math/ToInteger.h"
+#include "RangeTools.h"
 #include "SceneFile/SceneCamera.h"
 #include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace Drydock
 {
@@ -157,13 +157,7 @@ FScenePacking MakeOwnScenePacking(const std::string& Texture, const std::vector<
 
 std::vector<std::string> SplitChannelNames(const std::string& Names)
 {
-	std::vector<std::string> Split;
-	std::istringstream Stream(Names);
-	for (std::string Name; std::getline(Stream, Name, ',');)
-	{
-		Split.push_back(Trim(Name));
-	}
-	return Split;
+	return ToVector<std::string>(SplitText(Names, ','), [](const std::string& Name) { return Trim(Name); });
 }
 
 const std::vector<std::string>& GetSceneChannelNames()

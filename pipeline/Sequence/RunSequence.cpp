@@ -162,8 +162,7 @@ private:
 		std::vector<FDiagnostic> Damages;
 		for (size_t At = 0; Changes.empty() && At < There.size(); ++At)
 		{
-			const auto Frame = std::find_if(
-				Frames.begin(), Frames.end(), [&](const FSequenceFrame& Each) { return Each.Number == There[At]; });
+			const auto Frame = std::ranges::find(Frames, There[At], &FSequenceFrame::Number);
 			const bool bAskedFor = Frame != Frames.end();
 			const std::string Damage = bAskedFor ? Folder.FindDamage(There[At]) : "";
 			if (!Damage.empty())

@@ -8,9 +8,9 @@
 #include "Text/Fingerprint.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 namespace Drydock
@@ -36,10 +36,8 @@ Files::path GetFrames(const std::string& Path)
 /** The number that a frame's folder has for a name. */
 std::optional<int> ParseFrame(const std::string& Name)
 {
-	int Frame = 0;
-	const std::from_chars_result Result = std::from_chars(Name.data(), Name.data() + Name.size(), Frame);
-	const bool bNumber = Result.ec == std::errc() && Result.ptr == Name.data() + Name.size() && Frame >= 0;
-	return bNumber ? std::optional(Frame) : std::nullopt;
+	const std::optional<int> Frame = ParseAll<int>(Name);
+	return Frame >= 0 ? Frame : std::nullopt;
 }
 
 bool IsThere(const Files::path& Path)

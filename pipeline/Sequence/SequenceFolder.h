@@ -16,15 +16,13 @@
 namespace Drydock
 {
 
-class DRYDOCK_API FSequenceFolder
+class DRYDOCK_API FSequenceFolder : private FNoncopyable
 {
 public:
 	/** Makes the folder and keeps other runs out until it is destroyed; removes what a killed run left half done.
 	 * NumDigits: of a frame's folder, at least. Throws FError: something that drydock did not write is in the way
 	 * (DD1080, exit code 2); in use, a list that is damaged, or not to be written (3). */
 	FSequenceFolder(const std::string& InPath, int InNumDigits);
-	FSequenceFolder(const FSequenceFolder&) = delete;
-	FSequenceFolder& operator=(const FSequenceFolder&) = delete;
 
 	/** The frames that are there, ascending. */
 	std::vector<int> FindFrames() const;

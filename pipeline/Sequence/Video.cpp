@@ -4,12 +4,12 @@
 #include "Text/AsideFile.h"
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <unistd.h>
 
 namespace Drydock
@@ -23,8 +23,7 @@ namespace Files = std::filesystem;
 bool IsInstalled(const std::string& Program)
 {
 	const char* const Folders = std::getenv("PATH");
-	std::istringstream Stream(Folders != nullptr ? Folders : "");
-	for (std::string Folder; std::getline(Stream, Folder, ':');)
+	for (const std::string& Folder : SplitText(Folders != nullptr ? Folders : "", ':'))
 	{
 		if (access((Files::path(Folder) / Program).c_str(), X_OK) == 0)
 		{

@@ -4,6 +4,7 @@
 
 #include "Diagnostics.h"
 #include "MarkedFolder.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <filesystem>
 #include <functional>
@@ -20,13 +21,11 @@ DRYDOCK_API FError MakeWriteError(const std::string& Path, const std::string& Wh
  * beside it (MarkedFolder.h). A file that was not put in place goes away with the object, or when a signal ends the
  * process; after any other end with the next aside file for that place. Nothing is synchronised with the disk: after a
  * power failure the latest files may be empty. */
-class DRYDOCK_API FAsideFile
+class DRYDOCK_API FAsideFile : private FNoncopyable
 {
 public:
 	/** Target: the place that it is for, whose folder is made. Throws FError (exit code 3) when that cannot be done. */
 	explicit FAsideFile(const std::filesystem::path& InTarget);
-	FAsideFile(const FAsideFile&) = delete;
-	FAsideFile& operator=(const FAsideFile&) = delete;
 
 	/** Write here. Nothing is there yet. */
 	const std::filesystem::path& GetPath() const { return Path; }

@@ -3,6 +3,7 @@
 
 #include "DrydockAPI.h"
 #include "EndAction.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <filesystem>
 #include <list>
@@ -12,7 +13,7 @@ namespace Drydock
 
 /** Keeps others out of a folder by .drydock.lock, a file in it that holds the number of this process and goes with the
  * lock. The lock is the system's (flock): it goes with the process, however that ends. */
-class DRYDOCK_API FFolderLock
+class DRYDOCK_API FFolderLock : private FNoncopyable
 {
 public:
 	/** Makes the folder where there is none. Throws FError (exit code 3): another process has it (DD5021, with its
@@ -20,8 +21,6 @@ public:
 	explicit FFolderLock(const std::filesystem::path& InFolder);
 	/** Folders that it made and that hold nothing go, too. */
 	~FFolderLock();
-	FFolderLock(const FFolderLock&) = delete;
-	FFolderLock& operator=(const FFolderLock&) = delete;
 
 private:
 	void MakeFolders();

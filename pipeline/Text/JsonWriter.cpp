@@ -3,6 +3,7 @@
 
 #include "Text/Fmt.inl"
 #include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <cmath>
 
@@ -14,33 +15,13 @@ std::string FJsonWriter::Quote(const std::string& Text)
 	std::string Quoted = "\"";
 	for (const char Character : Text)
 	{
-		switch (Character)
+		const std::string_view Escape = FindEscape(Character);
+		if (Escape.empty() && static_cast<unsigned char>(Character) < 0x20)
 		{
-		case '"':
-			Quoted += "\\\"";
-			break;
-		case '\\':
-			Quoted += "\\\\";
-			break;
-		case '\n':
-			Quoted += "\\n";
-			break;
-		case '\r':
-			Quoted += "\\r";
-			break;
-		case '\t':
-			Quoted += "\\t";
-			break;
-		default:
-			if (static_cast<unsigned char>(Character) < 0x20)
-			{
-				Quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(Character));
-			}
-			else
-			{
-				Quoted += Character;
-			}
+			Quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(Character));
+			continue;
 		}
+		Escape.empty() ? Quoted += Character : Quoted += Escape;
 	}
 	return Quoted + "\"";
 }

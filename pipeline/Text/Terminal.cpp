@@ -1,8 +1,9 @@
 // Asks the terminal for its size; wraps lines.
 #include "Text/Terminal.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <sys/ioctl.h>
@@ -100,12 +101,9 @@ int GetTerminalWidth(int FileDescriptor)
 	}
 	if (const char* const Said = std::getenv("COLUMNS"))
 	{
-		int Columns = 0;
-		const char* const End = Said + std::strlen(Said);
-		const std::from_chars_result Read = std::from_chars(Said, End, Columns);
-		if (Read.ec == std::errc() && Read.ptr == End && Columns > 0)
+		if (const std::optional<int> Columns = ParseAll<int>(Said); Columns > 0)
 		{
-			return std::max(Columns, Least);
+			return std::max(*Columns, Least);
 		}
 	}
 	winsize Size = {};
@@ -137,11 +135,9 @@ std::string FitLines(const std::string& Text, int Width)
 		return Text;
 	}
 	std::string Fitted;
-	for (size_t Begin = 0; Begin < Text.size();)
+	for (const std::string& Line : SplitText(Text))
 	{
-		const size_t End = std::min(Text.find('\n', Begin), Text.size());
-		Fitted += FitLine(Text.substr(Begin, End - Begin), static_cast<size_t>(Width));
-		Begin = End + 1;
+		Fitted += FitLine(Line, static_cast<size_t>(Width));
 	}
 	if (!Fitted.empty() && Text.back() != '\n')
 	{

@@ -1,34 +1,23 @@
 // Writes numbers and lists as text, and text as parts of file names.
 #include "Text/TextFormat.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 
 namespace Drydock
 {
 
-namespace
-{
-
-template<typename T>
-std::string WriteShortest(T Number)
-{
-	char Buffer[64];
-	return std::string(Buffer, std::to_chars(Buffer, Buffer + sizeof(Buffer), Number).ptr);
-}
-
-} // namespace
-
 std::string NumberText(float Number)
 {
-	return WriteShortest(Number);
+	return FormatShortest(Number);
 }
 
 std::string NumberText(double Number)
 {
-	return WriteShortest(Number);
+	return FormatShortest(Number);
 }
 
 std::string MakeFileNamePart(const std::string& Text)

@@ -3,6 +3,7 @@
 
 #include "PrintText.h"
 #include "Text/Terminal.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -28,11 +29,9 @@ struct FWidths
 size_t CountLongestWord(const std::string& Text)
 {
 	size_t Longest = 0;
-	for (size_t Begin = 0; Begin < Text.size();)
+	for (const std::string& Word : SplitText(Text, ' '))
 	{
-		const size_t End = std::min(Text.find(' ', Begin), Text.size());
-		Longest = std::max(Longest, CountColumns(Text.substr(Begin, End - Begin)));
-		Begin = End + 1;
+		Longest = std::max(Longest, CountColumns(Word));
 	}
 	return Longest;
 }

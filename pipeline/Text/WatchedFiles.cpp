@@ -2,6 +2,7 @@
 #include "Text/WatchedFiles.h"
 
 #include "GlobalShader.h"
+#include "RangeTools.h"
 #include "ShaderCompiler.h"
 #include "ShaderCore.h"
 
@@ -77,12 +78,7 @@ std::optional<std::vector<std::string>> FWatchedFiles::FindEdited(const FWatched
 
 std::vector<std::string> FWatchedFiles::GetPaths() const
 {
-	std::vector<std::string> Paths;
-	for (const auto& [Path, State] : States)
-	{
-		Paths.push_back(Path);
-	}
-	return Paths;
+	return ToVector<std::string>(States, [](const auto& Each) { return Each.first; });
 }
 
 } // namespace Drydock

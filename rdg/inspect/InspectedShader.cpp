@@ -9,7 +9,6 @@
 #include "TextTools.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace Drydock
 {
@@ -131,11 +130,7 @@ std::string FInspectedShader::GetLine(const std::string& File, int Line) const
 		FRegularFile OnDisk(FindShaderFile(File));
 		std::string Bytes(OnDisk.GetProblem().empty() ? std::min<size_t>(OnDisk.GetSize(), MaxTextBytes) : 0, '\0');
 		Bytes.resize(OnDisk.Read(Bytes.data(), Bytes.size()));
-		std::istringstream Lines(NormalizeShaderText(Bytes));
-		for (std::string Text; std::getline(Lines, Text);)
-		{
-			Found->second.push_back(Text);
-		}
+		Found->second = SplitText(NormalizeShaderText(Bytes));
 	}
 	return Line >= 1 && size_t(Line) <= Found->second.size() ? Found->second[size_t(Line) - 1] : std::string();
 }

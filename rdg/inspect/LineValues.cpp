@@ -3,10 +3,10 @@
 
 #include "AuthorsNames.h"
 #include "Diagnostics.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
-#include <charconv>
 #include <deque>
 #include <map>
 #include <set>
@@ -99,11 +99,7 @@ std::string ListNear(const FLineSteps& Found, int Line)
 	{
 		ByLine[Step.Line].insert(Step.Name);
 	}
-	std::vector<int> Lines;
-	for (const auto& [Known, Names] : ByLine)
-	{
-		Lines.push_back(Known);
-	}
+	std::vector<int> Lines = ToVector<int>(ByLine, [](const auto& Each) { return Each.first; });
 	std::ranges::stable_sort(Lines, [Line](int A, int B) { return std::abs(A - Line) < std::abs(B - Line); });
 	Lines.resize(std::min<size_t>(Lines.size(), 4));
 	std::ranges::sort(Lines);
@@ -204,9 +200,8 @@ FLinePlace ParseLinePlace(const std::string& Text)
 	FLinePlace Place;
 	Place.File = Text.substr(0, Colon);
 	const std::string Number = Colon == std::string::npos ? std::string() : Text.substr(Colon + 1, Second - Colon - 1);
-	const std::from_chars_result Read = std::from_chars(Number.data(), Number.data() + Number.size(), Place.Line);
-	if (Place.File.empty() || Number.empty() || Read.ec != std::errc() || Read.ptr != Number.data() + Number.size() ||
-		Place.Line < 1)
+	Place.Line = ParseAll<int>(Number).value_or(0);
+	if (Place.File.empty() || Place.Line < 1)
 	{
 		throw FError({.Code = 1020,
 						 .Message = "'" + Text + "' is not a line; expected FILE.usf:LINE or FILE.usf:LINE:VARIABLE",

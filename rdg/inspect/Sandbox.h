@@ -2,20 +2,19 @@
 #pragma once
 
 #include "BoundShader.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <memory>
 
 namespace Drydock
 {
 
-class DRYDOCK_API FSandbox
+class DRYDOCK_API FSandbox : private FNoncopyable
 {
 public:
 	/** Copies textures and buffers that the shader stores to; what it reads stays where it is. Render targets are left
 	 * out: the interpreter hands them over as values. */
 	FSandbox(const FKernelArgs& Args, const FShaderReflection& Reflection);
-	FSandbox(const FSandbox&) = delete;
-	FSandbox& operator=(const FSandbox&) = delete;
 
 	const FKernelArgs& GetArgs() const { return Args; }
 

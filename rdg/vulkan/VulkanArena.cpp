@@ -35,31 +35,20 @@ VkBorderColor ToVulkan(const float (&Border)[4])
 
 FVulkanArena::~FVulkanArena()
 {
+	const auto DestroyAll = [this](const auto& Handles, const auto& Destroy)
+	{
+		for (const auto Handle : Handles)
+		{
+			Destroy(Owner.Device, Handle, nullptr);
+		}
+	};
 	const FVulkanFunctions& Vk = Owner.Vk;
-	for (const VkSampler Sampler : Samplers)
-	{
-		Vk.vkDestroySampler(Owner.Device, Sampler, nullptr);
-	}
-	for (const VkImageView View : ImageViews)
-	{
-		Vk.vkDestroyImageView(Owner.Device, View, nullptr);
-	}
-	for (const VkBufferView View : BufferViews)
-	{
-		Vk.vkDestroyBufferView(Owner.Device, View, nullptr);
-	}
-	for (const VkImage Image : Images)
-	{
-		Vk.vkDestroyImage(Owner.Device, Image, nullptr);
-	}
-	for (const VkBuffer Buffer : Buffers)
-	{
-		Vk.vkDestroyBuffer(Owner.Device, Buffer, nullptr);
-	}
-	for (const VkDeviceMemory Memory : Memories)
-	{
-		Vk.vkFreeMemory(Owner.Device, Memory, nullptr);
-	}
+	DestroyAll(Samplers, Vk.vkDestroySampler);
+	DestroyAll(ImageViews, Vk.vkDestroyImageView);
+	DestroyAll(BufferViews, Vk.vkDestroyBufferView);
+	DestroyAll(Images, Vk.vkDestroyImage);
+	DestroyAll(Buffers, Vk.vkDestroyBuffer);
+	DestroyAll(Memories, Vk.vkFreeMemory);
 }
 
 void* FVulkanArena::Allocate(const VkMemoryRequirements& Needs, VkMemoryPropertyFlags Flags, VkDeviceMemory& OutMemory)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ShaderKernel.h"
+#include "Templates/UnrealTemplate.h"
 #include "VulkanDevice.h"
 
 #include <vector>
@@ -17,7 +18,7 @@ struct FVulkanBuffer
 	VkDeviceSize Size = 0;
 };
 
-class FVulkanArena
+class FVulkanArena : private FNoncopyable
 {
 public:
 	explicit FVulkanArena(const FVulkanDevice& InDevice)
@@ -25,8 +26,6 @@ public:
 	{
 	}
 	~FVulkanArena();
-	FVulkanArena(const FVulkanArena&) = delete;
-	FVulkanArena& operator=(const FVulkanArena&) = delete;
 
 	/** All of these throw FVulkanError where the device has no more. Contents are not defined. */
 	FVulkanBuffer MakeBuffer(VkDeviceSize Size, VkBufferUsageFlags Usage);

@@ -16,15 +16,13 @@ struct FVulkanImage
 	std::vector<VkBufferImageCopy> Copies;
 };
 
-class FVulkanArguments
+class FVulkanArguments : private FNoncopyable
 {
 public:
 	/** Copies everything that the bindings name into memory of the arena. Throws FVulkanError. */
 	FVulkanArguments(const FVulkanDevice& InDevice, FVulkanArena& InArena, const FSpirvModule& InModule,
 		const std::vector<FVulkanBinding>& Bindings, const FKernelArgs& InArgs, const FShaderReflection& Kernel);
 	~FVulkanArguments();
-	FVulkanArguments(const FVulkanArguments&) = delete;
-	FVulkanArguments& operator=(const FVulkanArguments&) = delete;
 
 	/** A descriptor set that names it all. */
 	VkDescriptorSet MakeSet(VkDescriptorSetLayout Layout);

@@ -1,6 +1,7 @@
 // Opens one Vulkan device, found through the loader, whose drivers VK_DRIVER_FILES may name.
 #pragma once
 
+#include "Templates/UnrealTemplate.h"
 #include "VulkanFunctions.h"
 
 #include <functional>
@@ -9,16 +10,13 @@
 namespace Drydock
 {
 
-class FVulkanDevice
+class FVulkanDevice : private FNoncopyable
 {
 public:
 	/** The first graphics card, else the first device of any kind. Null: there is none; OutFault is the reason. */
 	static std::shared_ptr<FVulkanDevice> Open(std::string& OutFault);
 
-	FVulkanDevice() = default;
 	~FVulkanDevice();
-	FVulkanDevice(const FVulkanDevice&) = delete;
-	FVulkanDevice& operator=(const FVulkanDevice&) = delete;
 
 	/** Name and version as the driver gives them. */
 	std::string GetName() const { return Properties.deviceName; }

@@ -23,13 +23,11 @@ private:
 	FVulkanArguments Arguments;
 };
 
-class FVulkanDraw
+class FVulkanDraw : private FNoncopyable
 {
 public:
 	FVulkanDraw(FVulkanShader& InShader, const FKernelArgs& InArgs, const FKernelTile& InWhole);
 	~FVulkanDraw();
-	FVulkanDraw(const FVulkanDraw&) = delete;
-	FVulkanDraw& operator=(const FVulkanDraw&) = delete;
 
 	double Run();
 

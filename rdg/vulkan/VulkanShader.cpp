@@ -23,57 +23,36 @@ bool IsThere(uint32_t Capability, const FVulkanDevice& Device)
 	{
 		return (Device.SubgroupOperations & Operations) == Operations;
 	};
-	switch (Capability)
-	{
-	case 0:  // Matrix
-	case 1:  // Shader
-	case 43: // Sampled1D
-	case 44: // Image1D
-	case 46: // SampledBuffer
-	case 47: // ImageBuffer
-	case 50: // ImageQuery
-	case 51: // DerivativeControl
-		return true;
-	case 9: // Float16
-		return Device.bFloat16;
-	case 10: // Float64
-		return Features.shaderFloat64;
-	case 11: // Int64
-		return Features.shaderInt64;
-	case 12: // Int64Atomics
-		return Device.bInt64Atomics;
-	case 22: // Int16
-		return Features.shaderInt16;
-	case 25: // ImageGatherExtended
-		return Features.shaderImageGatherExtended;
-	case 34: // ImageCubeArray
-	case 45: // SampledCubeArray
-		return Features.imageCubeArray;
-	case 42: // MinLod
-		return Features.shaderResourceMinLod;
-	case 49: // StorageImageExtendedFormats
-		return Features.shaderStorageImageExtendedFormats;
-	case 55: // StorageImageReadWithoutFormat
-		return Features.shaderStorageImageReadWithoutFormat;
-	case 56: // StorageImageWriteWithoutFormat
-		return Features.shaderStorageImageWriteWithoutFormat;
-	case 61: // GroupNonUniform
-		return HasWaves(VK_SUBGROUP_FEATURE_BASIC_BIT);
-	case 62: // GroupNonUniformVote
-		return HasWaves(VK_SUBGROUP_FEATURE_VOTE_BIT);
-	case 63: // GroupNonUniformArithmetic
-		return HasWaves(VK_SUBGROUP_FEATURE_ARITHMETIC_BIT);
-	case 64: // GroupNonUniformBallot
-		return HasWaves(VK_SUBGROUP_FEATURE_BALLOT_BIT);
-	case 65: // GroupNonUniformShuffle
-		return HasWaves(VK_SUBGROUP_FEATURE_SHUFFLE_BIT);
-	case 66: // GroupNonUniformShuffleRelative
-		return HasWaves(VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT);
-	case 68: // GroupNonUniformQuad
-		return HasWaves(VK_SUBGROUP_FEATURE_QUAD_BIT);
-	default:
-		return false;
-	}
+	const std::pair<uint32_t, bool> Known[] = {
+		{0, true},                                                // Matrix
+		{1, true},                                                // Shader
+		{43, true},                                               // Sampled1D
+		{44, true},                                               // Image1D
+		{46, true},                                               // SampledBuffer
+		{47, true},                                               // ImageBuffer
+		{50, true},                                               // ImageQuery
+		{51, true},                                               // DerivativeControl
+		{9, Device.bFloat16},                                     // Float16
+		{10, Features.shaderFloat64},                             // Float64
+		{11, Features.shaderInt64},                               // Int64
+		{12, Device.bInt64Atomics},                               // Int64Atomics
+		{22, Features.shaderInt16},                               // Int16
+		{25, Features.shaderImageGatherExtended},                 // ImageGatherExtended
+		{34, Features.imageCubeArray},                            // ImageCubeArray
+		{45, Features.imageCubeArray},                            // SampledCubeArray
+		{42, Features.shaderResourceMinLod},                      // MinLod
+		{49, Features.shaderStorageImageExtendedFormats},         // StorageImageExtendedFormats
+		{55, Features.shaderStorageImageReadWithoutFormat},       // StorageImageReadWithoutFormat
+		{56, Features.shaderStorageImageWriteWithoutFormat},      // StorageImageWriteWithoutFormat
+		{61, HasWaves(VK_SUBGROUP_FEATURE_BASIC_BIT)},            // GroupNonUniform
+		{62, HasWaves(VK_SUBGROUP_FEATURE_VOTE_BIT)},             // GroupNonUniformVote
+		{63, HasWaves(VK_SUBGROUP_FEATURE_ARITHMETIC_BIT)},       // GroupNonUniformArithmetic
+		{64, HasWaves(VK_SUBGROUP_FEATURE_BALLOT_BIT)},           // GroupNonUniformBallot
+		{65, HasWaves(VK_SUBGROUP_FEATURE_SHUFFLE_BIT)},          // GroupNonUniformShuffle
+		{66, HasWaves(VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT)}, // GroupNonUniformShuffleRelative
+		{68, HasWaves(VK_SUBGROUP_FEATURE_QUAD_BIT)},             // GroupNonUniformQuad
+	};
+	return std::ranges::find(Known, std::pair(Capability, true)) != std::end(Known);
 }
 
 bool HasWaves(const FVulkanModule& Module)

@@ -20,7 +20,7 @@ struct FVulkanBinding
 };
 
 /** RunVulkanShader runs it. */
-class FVulkanShader
+class FVulkanShader : private FNoncopyable
 {
 public:
 	/** Format of the shader's render targets, whatever those of the pass are: drydock blends and stores the results. */
@@ -31,8 +31,6 @@ public:
 	FVulkanShader(std::shared_ptr<const FVulkanDevice> InDevice, const FShaderCompileRequest& Request,
 		const FShaderReflection& InKernel);
 	~FVulkanShader();
-	FVulkanShader(const FVulkanShader&) = delete;
-	FVulkanShader& operator=(const FVulkanShader&) = delete;
 
 private:
 	void CheckDevice(const FShaderCompileRequest& Request) const;

@@ -35,7 +35,7 @@ struct FPostProcessSettingInfo
 /** float, bool, int32, an enum, FLinearColor, FVector2D, FVector2f, FVector4 or FVector4f. Static, in the plugin: the
  * setting is there as long as it. One that cannot be added is an error of the plugin (DD2128, DD2129). */
 template<typename T>
-class TPostProcessSetting
+class TPostProcessSetting : private FNoncopyable
 {
 public:
 	TPostProcessSetting(const TCHAR* Name, const T& InDefault, const FPostProcessSettingInfo& Info = {})
@@ -56,8 +56,6 @@ public:
 	{
 	}
 	~TPostProcessSetting() { RemoveSettingField(Id); }
-	TPostProcessSetting(const TPostProcessSetting&) = delete;
-	TPostProcessSetting& operator=(const TPostProcessSetting&) = delete;
 
 	/** The setting's value; the default if none was given. */
 	T Get(const FPostProcessSettings& Settings) const

@@ -3,6 +3,8 @@
 #include "Scalability.h"
 
 #include "HAL/IConsoleManager.h"
+#include "RangeTools.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -11,6 +13,10 @@ namespace Drydock
 
 namespace
 {
+
+constexpr const char* ScalabilityText =
+#include "Scalability.txt"
+	;
 
 /** Runs when sg.PostProcessQuality was set; not when it is put back to "nobody has set it". */
 void OnPostProcessQualityChanged(IConsoleVariable* Variable)
@@ -31,40 +37,18 @@ TAutoConsoleVariable<int32> CVarPostProcessQuality(TEXT("sg.PostProcessQuality")
 
 const std::vector<FScalabilityRow>& GetPostProcessQualityRows()
 {
-	static const std::vector<FScalabilityRow> Rows = {
-		{"r.MotionBlurQuality", {"0", "3", "3", "4", "4"}},
-		{"r.MotionBlur.HalfResGather", {"1", "1", "1", "0", "0"}},
-		{"r.AmbientOcclusionMipLevelFactor", {"1.0", "1.0", "0.6", "0.4", "0.4"}},
-		{"r.AmbientOcclusionMaxQuality", {"0", "60", "100", "100", "100"}},
-		{"r.AmbientOcclusionLevels", {"0", "-1", "-1", "-1", "-1"}},
-		{"r.AmbientOcclusionRadiusScale", {"1.2", "1.5", "1.5", "1.0", "1.0"}},
-		{"r.DepthOfFieldQuality", {"0", "1", "2", "2", "4"}},
-		{"r.RenderTargetPoolMin", {"300", "350", "400", "400", "1000"}},
-		{"r.LensFlareQuality", {"0", "0", "2", "2", "3"}},
-		{"r.SceneColorFringeQuality", {"0", "0", "1", "1", "1"}},
-		{"r.EyeAdaptationQuality", {"2", "2", "2", "2", "2"}},
-		{"r.BloomQuality", {"4", "4", "5", "5", "5"}},
-		{"r.FastBlurThreshold", {"0", "2", "3", "100", "100"}},
-		{"r.Upscale.Quality", {"1", "2", "2", "3", "3"}},
-		{"r.Tonemapper.GrainQuantization", {"0", "0", "1", "1", "1"}},
-		{"r.LightShaftQuality", {"0", "0", "1", "1", "1"}},
-		{"r.Filter.SizeScale", {"0.6", "0.7", "0.8", "1", "1"}},
-		{"r.Tonemapper.Quality", {"0", "2", "5", "5", "5"}},
-		{"r.DOF.Gather.ResolutionDivisor", {"2", "2", "2", "2", "1"}},
-		{"r.DOF.Gather.AccumulatorQuality", {"0", "0", "0", "1", "1"}},
-		{"r.DOF.Gather.PostfilterMethod", {"2", "2", "2", "1", "1"}},
-		{"r.DOF.Gather.EnableBokehSettings", {"0", "0", "0", "0", "1"}},
-		{"r.DOF.Gather.RingCount", {"3", "3", "4", "4", "5"}},
-		{"r.DOF.Scatter.ForegroundCompositing", {"0", "0", "1", "1", "1"}},
-		{"r.DOF.Scatter.BackgroundCompositing", {"0", "0", "1", "2", "2"}},
-		{"r.DOF.Scatter.EnableBokehSettings", {nullptr, nullptr, "0", "0", "1"}},
-		{"r.DOF.Scatter.MaxSpriteRatio", {nullptr, nullptr, "0.04", "0.1", "0.25"}},
-		{"r.DOF.Recombine.Quality", {"0", "0", "0", "1", "2"}},
-		{"r.DOF.Recombine.EnableBokehSettings", {nullptr, nullptr, nullptr, "0", "1"}},
-		{"r.DOF.TemporalAAQuality", {"0", "0", "0", "1", "1"}},
-		{"r.DOF.Kernel.MaxForegroundRadius", {"0.006", "0.006", "0.012", "0.025", "0.025"}},
-		{"r.DOF.Kernel.MaxBackgroundRadius", {"0.006", "0.006", "0.012", "0.025", "0.025"}},
-	};
+	static const std::vector<std::vector<std::string>> Cells = SplitRows(ScalabilityText);
+	static const std::vector<FScalabilityRow> Rows = ToVector<FScalabilityRow>(Cells,
+		[](const std::vector<std::string>& Columns)
+		{
+			FScalabilityRow Row{Columns[0].c_str(), {}};
+			for (size_t Level = 0; Level < Row.Values.size(); ++Level)
+			{
+				const std::string& Value = Columns[Level + 1];
+				Row.Values[Level] = Value == "-" ? nullptr : Value.c_str();
+			}
+			return Row;
+		});
 	return Rows;
 }
 

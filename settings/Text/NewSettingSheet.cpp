@@ -15,6 +15,7 @@ namespace
 
 constexpr const char* PlacesText =
 #include "SettingPlaces.txt"
+#include "TextTools.h"
 	;
 
 /** A struct that holds a family of settings a second time, under names of its own. */
@@ -189,12 +190,11 @@ void AddOnce(std::string& Whole, const std::string& Text, const char* Separator)
 
 void AddPlaces(const FSettingWords& Words, FPlacesByNumber& Places)
 {
-	std::istringstream Lines(PlacesText);
 	int Number = 0;
 	bool bPlaceFits = false;
 	std::string File;
 	FSettingPlace* Place = nullptr;
-	for (std::string Line; std::getline(Lines, Line);)
+	for (std::string Line : SplitText(PlacesText))
 	{
 		const size_t End = Line.starts_with('[') ? Line.find("] ") : std::string::npos;
 		const bool bFits = End == std::string::npos || Words.Fit(Line.substr(1, End - 1));
@@ -263,8 +263,7 @@ std::string FormatSettingPlan(const std::vector<FNewSetting>& Settings, ESetting
 		Text += "\n" + std::to_string(++Number) + ". " + Place.File + "\n   " + Place.Where + "\n";
 		Text += Place.Why.empty() ? "" : "   (" + Place.Why + ")\n";
 		Text += "\n";
-		std::istringstream Lines(Place.Text);
-		for (std::string Line; std::getline(Lines, Line);)
+		for (const std::string& Line : SplitText(Place.Text))
 		{
 			Text += "    " + Line + "\n";
 		}

@@ -175,24 +175,8 @@ std::string Quote(const std::string& Text)
 	std::string Quoted = "\"";
 	for (const char Character : Text)
 	{
-		switch (Character)
-		{
-		case '"':
-		case '\\':
-			Quoted += std::string("\\") + Character;
-			break;
-		case '\n':
-			Quoted += "\\n";
-			break;
-		case '\r':
-			Quoted += "\\r";
-			break;
-		case '\t':
-			Quoted += "\\t";
-			break;
-		default:
-			Quoted += Character;
-		}
+		const std::string_view Escape = FindEscape(Character);
+		Escape.empty() ? Quoted += Character : Quoted += Escape;
 	}
 	return Quoted + "\"";
 }

@@ -39,7 +39,7 @@ tar -xzf "$Tarball" -C "$Room/elsewhere"
 for Document in copyright changelog.gz; do
 	[ -s "$Room/root/usr/share/doc/drydock/$Document" ] || Fail "the package lacks $Document"
 done
-zcat "$Room/root/usr/share/man/man1/drydock.1.gz" | grep -q explain || Fail "the manual page knows no verb explain"
+zcat "$Room/root/usr/share/man/man1/drydock.1.gz" | grep explain >/dev/null || Fail "the manual page knows no verb explain"
 
 # As a reader walks who has the package alone. The first frame has no compiler: its shaders come with the package.
 cat >"$Room/walk.sh" <<'END'

@@ -101,7 +101,7 @@ wait_for() {
 
 # Not every machine has a debugger or lets one look into a process.
 WithDebugger() {
-	if gdb -batch -ex run --args /bin/true 2>&1 | grep -q 'exited normally'; then
+	if gdb -batch -ex run --args /bin/true 2>&1 | grep 'exited normally' >/dev/null; then
 		"$@"
 	else
 		echo "LEFT OUT: no debugger here"

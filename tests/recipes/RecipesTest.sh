@@ -28,7 +28,7 @@ for Recipe in Posterize Hello; do
 	done
 done
 # Rows, each after the last line that begins as it does.
-grep -v '^#' "$Here/Posterize/rows.txt" | while IFS=$'\t' read -r File Row; do
+grep -hv '^#' "$Here"/*/rows.txt | while IFS=$'\t' read -r File Row; do
 	case "$File" in tests/*) grep -q "^${Row%%(*}(" "$Source/$File" || Fail "$File has no such rows"; continue ;; esac
 	Last=$(grep -n "^${Row%%(*}(" "$Tree/$File" | tail -n 1 | cut -d: -f1)
 	[ -n "$Last" ] || Fail "$File has no row that begins with ${Row%%(*}"

@@ -5,6 +5,7 @@
 
 #include "Diagnostics.h"
 #include "RunningCode.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <memory>
 #include <utility>
@@ -16,13 +17,11 @@ class FWatchdog;
 
 /** Says for its scope whose code runs on this thread. Owner must outlive it. A plugin's that neither returns nor calls
  * anything with a scope of its own for r.Drydock.PluginSeconds ends the program (DD2089, exit code 71). */
-class DRYDOCK_API FCodeScope
+class DRYDOCK_API FCodeScope : private FNoncopyable
 {
 public:
 	explicit FCodeScope(const FCodeOwner& Owner);
 	~FCodeScope();
-	FCodeScope(const FCodeScope&) = delete;
-	FCodeScope& operator=(const FCodeScope&) = delete;
 
 private:
 	const FCodeOwner* OwnerBefore;

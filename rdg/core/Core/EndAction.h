@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <functional>
 
@@ -9,27 +10,23 @@ namespace Drydock
 {
 
 /** While it lives, the action is among those of DoEndActions. From any thread. */
-class DRYDOCK_API FEndAction
+class DRYDOCK_API FEndAction : private FNoncopyable
 {
 public:
 	/** Action: called from another thread than the one that made it; throws nothing. */
 	explicit FEndAction(std::function<void()> Action);
 	~FEndAction();
-	FEndAction(const FEndAction&) = delete;
-	FEndAction& operator=(const FEndAction&) = delete;
 
 private:
 	const int Number;
 };
 
 /** While it lives, DoEndActions waits: for a few steps that belong together. */
-class DRYDOCK_API FEndActionsHeld
+class DRYDOCK_API FEndActionsHeld : private FNoncopyable
 {
 public:
 	FEndActionsHeld();
 	~FEndActionsHeld();
-	FEndActionsHeld(const FEndActionsHeld&) = delete;
-	FEndActionsHeld& operator=(const FEndActionsHeld&) = delete;
 };
 
 /** Calls the actions, the latest first. Whoever makes or ends one from now on waits for ever: the caller ends the

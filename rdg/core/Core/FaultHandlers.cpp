@@ -5,6 +5,7 @@
 #include "CodeErrors.h"
 #include "Diagnostics.h"
 #include "RunningCode.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <algorithm>
 #include <atomic>
@@ -303,7 +304,7 @@ void OnExit()
 }
 
 /** The handlers' stack of one thread. */
-class FFaultStack
+class FFaultStack : private FNoncopyable
 {
 public:
 	FFaultStack()
@@ -328,8 +329,6 @@ public:
 			munmap(Memory, Size);
 		}
 	}
-	FFaultStack(const FFaultStack&) = delete;
-	FFaultStack& operator=(const FFaultStack&) = delete;
 
 private:
 	void* Memory;

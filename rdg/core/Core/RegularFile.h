@@ -3,6 +3,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,15 +18,13 @@ namespace Drydock
 constexpr size_t MaxTextBytes = size_t(16) << 20;
 
 /** A file that is open for reading. */
-class DRYDOCK_API FRegularFile
+class DRYDOCK_API FRegularFile : private FNoncopyable
 {
 public:
 	/** Opens without waiting for anybody. A file that is not regular is refused once it is open, because it could be
 	 * replaced between a check and the opening. */
 	explicit FRegularFile(const std::string& Path);
 	~FRegularFile();
-	FRegularFile(const FRegularFile&) = delete;
-	FRegularFile& operator=(const FRegularFile&) = delete;
 
 	/** Why it cannot be read, "Permission denied" or "it is a folder"; empty while all is well. */
 	const std::string& GetProblem() const { return Problem; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CoreTypes.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <string>
 
@@ -45,13 +46,11 @@ DRYDOCK_API const FRunningWords& GetRunningWords();
 
 /** During its scope this thread works for another thread, whose code and words (GetRunningCode, GetRunningWords) it
  * takes over. They must outlive it. */
-class DRYDOCK_API FBorrowedCode
+class DRYDOCK_API FBorrowedCode : private FNoncopyable
 {
 public:
 	FBorrowedCode(const FCodeOwner* Owner, const FRunningWords& Words);
 	~FBorrowedCode();
-	FBorrowedCode(const FBorrowedCode&) = delete;
-	FBorrowedCode& operator=(const FBorrowedCode&) = delete;
 
 private:
 	const FCodeOwner* OwnerBefore;

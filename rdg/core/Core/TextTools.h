@@ -1,10 +1,13 @@
 // Small functions for text that several rooms share. Letters and digits are those of ASCII.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace Drydock
 {
@@ -47,6 +50,34 @@ inline std::string Trim(std::string_view Text)
 		First == Text.npos ? std::string_view() : Text.substr(First, Text.find_last_not_of(Blanks) - First + 1));
 }
 
+/** The parts of a text between separators, its lines by default. A separator at the end is followed by no part. */
+inline std::vector<std::string> SplitText(std::string_view Text, char Separator = '\n')
+{
+	std::vector<std::string> Parts;
+	for (size_t Begin = 0; Begin < Text.size();)
+	{
+		const size_t End = std::min(Text.find(Separator, Begin), Text.size());
+		Parts.emplace_back(Text.substr(Begin, End - Begin));
+		Begin = End + 1;
+	}
+	return Parts;
+}
+
+/** The rows of a table, a line each, with tabs between the columns. Empty lines and comments, which begin with #, are
+ * left out. */
+inline std::vector<std::vector<std::string>> SplitRows(std::string_view Text)
+{
+	std::vector<std::vector<std::string>> Rows;
+	for (const std::string& Line : SplitText(Text))
+	{
+		if (!Line.empty() && Line[0] != '#')
+		{
+			Rows.push_back(SplitText(Line, '\t'));
+		}
+	}
+	return Rows;
+}
+
 /** The strings of a range, or those that a function gives for its items, with the separator between them. */
 template<typename TRange, typename TFunction = std::identity>
 std::string JoinText(const TRange& Parts, std::string_view Separator = ", ", TFunction Function = {})
@@ -77,6 +108,24 @@ inline std::string QuoteForCpp(const std::string& Text)
 		}
 	}
 	return Quoted + "\"";
+}
+
+/** The escape that C++, JSON and the engine's text have for a character; empty where it needs none. */
+constexpr std::string_view FindEscape(char Character)
+{
+	constexpr std::string_view Characters = "\"\\\n\r\t";
+	constexpr std::string_view Escapes[] = {"\\\"", "\\\\", "\\n", "\\r", "\\t"};
+	const size_t Index = Characters.find(Character);
+	return Index == Characters.npos ? std::string_view() : Escapes[Index];
+}
+
+/** The number that the whole text is; nothing where it is none. */
+template<typename T>
+std::optional<T> ParseAll(std::string_view Text)
+{
+	T Number{};
+	const std::from_chars_result Result = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
+	return Result.ec == std::errc() && Result.ptr == Text.data() + Text.size() ? std::optional(Number) : std::nullopt;
 }
 
 /** The shortest text that reads as the number again, in the precision of its type. */

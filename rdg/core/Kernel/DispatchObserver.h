@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BoundShader.h"
+#include "Templates/UnrealTemplate.h"
 
 namespace Drydock
 {
@@ -20,13 +21,11 @@ public:
 DRYDOCK_API IDispatchObserver* GetDispatchObserver();
 
 /** During its scope the observer sees every dispatch of the process. There can be one at a time. */
-class DRYDOCK_API FScopedDispatchObserver
+class DRYDOCK_API FScopedDispatchObserver : private FNoncopyable
 {
 public:
 	explicit FScopedDispatchObserver(IDispatchObserver& Observer);
 	~FScopedDispatchObserver();
-	FScopedDispatchObserver(const FScopedDispatchObserver&) = delete;
-	FScopedDispatchObserver& operator=(const FScopedDispatchObserver&) = delete;
 };
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #include "ShaderDirectories.h"
 
 #include "Diagnostics.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -219,11 +220,7 @@ std::string FindNearestShaderFile(const std::string& VirtualPath)
 	}
 	for (const std::map<std::string, std::string>& Files : {Beside, Elsewhere})
 	{
-		std::vector<std::string> Names;
-		for (const auto& [Name, File] : Files)
-		{
-			Names.push_back(Name);
-		}
+		std::vector<std::string> Names = ToVector<std::string>(Files, [](const auto& Each) { return Each.first; });
 		const std::string Nearest = FindNearestName(Stem, Names);
 		if (!Nearest.empty())
 		{

@@ -14,14 +14,12 @@ namespace Drydock
 /** Watches a kernel that runs over tiles, during its scope. Once no tile has ended for r.Drydock.ShaderSeconds (0:
  * never), one message DD6040 goes to stderr and the process ends with exit code 2: running kernels cannot be stopped in
  * any other way. */
-class DRYDOCK_API FKernelWatch
+class DRYDOCK_API FKernelWatch : private FNoncopyable
 {
 public:
 	/** The names must outlive it. */
 	FKernelWatch(const std::string& Shader, const std::string& EntryPoint);
 	~FKernelWatch();
-	FKernelWatch(const FKernelWatch&) = delete;
-	FKernelWatch& operator=(const FKernelWatch&) = delete;
 
 	/** From any thread. */
 	void TileHasEnded()

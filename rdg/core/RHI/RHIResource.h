@@ -16,13 +16,10 @@ namespace Drydock
 {
 
 /** Zeroed memory, aligned to 64 bytes, or someone else's. */
-class DRYDOCK_API FResourceMemory
+class DRYDOCK_API FResourceMemory : private FNoncopyable
 {
 public:
-	FResourceMemory() = default;
 	~FResourceMemory();
-	FResourceMemory(const FResourceMemory&) = delete;
-	FResourceMemory& operator=(const FResourceMemory&) = delete;
 
 	/** Uses Memory, which must be 64-byte aligned and outlive its use; frees what was owned. */
 	void PlaceAt(void* Memory);

@@ -25,13 +25,11 @@ enum class EStorageOverride : int32
 DRYDOCK_API EStorageOverride GetStorageOverride();
 
 /** Sets the storage of textures that this thread creates in its scope, whatever r.Drydock.Storage is. Scopes nest. */
-class DRYDOCK_API FScopedStorageOverride
+class DRYDOCK_API FScopedStorageOverride : private FNoncopyable
 {
 public:
 	explicit FScopedStorageOverride(EStorageOverride Override);
 	~FScopedStorageOverride();
-	FScopedStorageOverride(const FScopedStorageOverride&) = delete;
-	FScopedStorageOverride& operator=(const FScopedStorageOverride&) = delete;
 
 private:
 	const std::optional<EStorageOverride> Before;

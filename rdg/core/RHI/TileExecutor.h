@@ -17,13 +17,11 @@ enum class EDenormals : uint8
 
 /** Sets the calling thread's denormal mode and puts the control word back. Does nothing on processors other than x86-64
  *  and AArch64. */
-class DRYDOCK_API FScopedDenormals
+class DRYDOCK_API FScopedDenormals : private FNoncopyable
 {
 public:
 	explicit FScopedDenormals(EDenormals Mode);
 	~FScopedDenormals();
-	FScopedDenormals(const FScopedDenormals&) = delete;
-	FScopedDenormals& operator=(const FScopedDenormals&) = delete;
 
 	/** The thread's whole floating-point control word. */
 	static uint64 GetControlWord();

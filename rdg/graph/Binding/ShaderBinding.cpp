@@ -3,6 +3,7 @@
 
 #include "BoundContents.h"
 #include "NativeKernels.h"
+#include "RangeTools.h"
 #include "RHIResources.h"
 #include "RenderGraphResources.h"
 #include "ShaderBindingChecks.h"
@@ -111,11 +112,8 @@ void FollowShaderBindingPlan(
 {
 	CheckRequiredParameters(Plan, Out.Name, Parameters);
 	CheckBoundKinds(Plan, Reflection, Out.Name, Parameters);
-	std::vector<const void*> Contents;
-	for (const FBindingSource& Source : Plan.Sources)
-	{
-		Contents.push_back(Source.bUsed ? GetContents(Source, Parameters) : nullptr);
-	}
+	const std::vector<const void*> Contents = ToVector<const void*>(Plan.Sources,
+		[&](const FBindingSource& Source) { return Source.bUsed ? GetContents(Source, Parameters) : nullptr; });
 
 	Out.Parameters = Parameters;
 	MakeConstantBuffers(Reflection, Out);

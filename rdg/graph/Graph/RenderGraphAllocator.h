@@ -11,13 +11,10 @@ namespace Drydock
 {
 
 /** Hands out memory from blocks and runs destructors in reverse order at the end. */
-class DRYDOCK_API FRDGAllocator
+class DRYDOCK_API FRDGAllocator : private FNoncopyable
 {
 public:
-	FRDGAllocator() = default;
 	~FRDGAllocator();
-	FRDGAllocator(const FRDGAllocator&) = delete;
-	FRDGAllocator& operator=(const FRDGAllocator&) = delete;
 
 	/** Alignment is a power of two. The memory is zeroed. */
 	void* Alloc(uint64 SizeInBytes, uint32 AlignInBytes = 16);

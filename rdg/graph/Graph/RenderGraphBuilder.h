@@ -30,7 +30,7 @@
 
 #include <memory>
 
-class DRYDOCK_API FRDGBuilder
+class DRYDOCK_API FRDGBuilder : private FNoncopyable
 {
 public:
 	/** Only one builder may be alive at a time. */
@@ -39,9 +39,6 @@ public:
 
 	/** Prints and terminates when neither Execute nor Discard was called, except while an exception passes through. */
 	~FRDGBuilder();
-
-	FRDGBuilder(const FRDGBuilder&) = delete;
-	FRDGBuilder& operator=(const FRDGBuilder&) = delete;
 
 	// Resources -----------------------------------------------------------------------------------------------------
 
@@ -336,14 +333,12 @@ private:
 };
 
 /** Opens a scope of a builder and closes it at the end of the block. */
-class DRYDOCK_API FRDGEventScopeGuard
+class DRYDOCK_API FRDGEventScopeGuard : private FNoncopyable
 {
 public:
 	FRDGEventScopeGuard(
 		FRDGBuilder& InGraphBuilder, FRDGEventName&& ScopeName, bool bCondition = true, bool bFinal = false);
 	~FRDGEventScopeGuard();
-	FRDGEventScopeGuard(const FRDGEventScopeGuard&) = delete;
-	FRDGEventScopeGuard& operator=(const FRDGEventScopeGuard&) = delete;
 
 private:
 	FRDGBuilder& GraphBuilder;
@@ -355,13 +350,11 @@ namespace Drydock
 
 /** Names the effect whose passes are added until the end of the block; null or empty: no effect's, as those of a view
  * extension. */
-class DRYDOCK_API FRDGEffectScope
+class DRYDOCK_API FRDGEffectScope : private FNoncopyable
 {
 public:
 	FRDGEffectScope(FRDGBuilder& InGraphBuilder, const char* Effect);
 	~FRDGEffectScope();
-	FRDGEffectScope(const FRDGEffectScope&) = delete;
-	FRDGEffectScope& operator=(const FRDGEffectScope&) = delete;
 
 private:
 	FRDGBuilder& GraphBuilder;

@@ -29,8 +29,6 @@ TAutoConsoleVariable<FString> CVarPassFilter(TEXT("r.RDG.Debug.PassFilter"), FSt
 	TEXT("Debugging acts on passes whose name contains this; !text inverts, None resets."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<FString> CVarResourceFilter(TEXT("r.RDG.Debug.ResourceFilter"), FString(),
 	TEXT("Debugging acts on resources whose name contains this; !text inverts, None resets."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarBreakpoint(TEXT("r.RDG.Breakpoint"), 0,
-	TEXT("Breaks into a debugger in the engine; without effect here."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarClobber(TEXT("r.RDG.ClobberResources"), 0,
 	TEXT("Fills new resources before their first use: 0 off (default), 1 with 1000, 2 with NaN, 3 with +Inf."),
 	ECVF_RenderThreadSafe);
@@ -49,27 +47,28 @@ TAutoConsoleVariable<int32> CVarMergeRenderPasses(TEXT("r.RDG.MergeRenderPasses"
 TAutoConsoleVariable<int32> CVarTransientAllocator(TEXT("r.RDG.TransientAllocator"), 1,
 	TEXT("Lets resources share the graph's heap: 0 off, 1 on (default), 2 only those with FastVRAM."),
 	ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarTransientExtracted(TEXT("r.RDG.TransientExtractedResources"), 1,
-	TEXT("Extracted resources outlive the heap of a graph here, so they always have memory of their own."),
-	ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarTransientIndirect(TEXT("r.RDG.TransientAllocator.IndirectArgumentBuffers"), 0,
 	TEXT("Lets buffers of indirect arguments live in the heap: 0 off (default), 1 on."), ECVF_RenderThreadSafe);
 TAutoConsoleVariable<int32> CVarEvents(TEXT("r.RDG.Events"), 1,
 	TEXT("Records event scopes: 0 off, 1 on (default), 2 on, also inside final scopes."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelDestruction(
-	TEXT("r.RDG.ParallelDestruction"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelSetup(
-	TEXT("r.RDG.ParallelSetup"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelExecute(TEXT("r.RDG.ParallelExecute"), 1,
-	TEXT("Without effect here: passes run in turn, each over all threads (r.Drydock.Threads)."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelPassMin(
-	TEXT("r.RDG.ParallelExecute.PassMin"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelPassMax(
-	TEXT("r.RDG.ParallelExecute.PassMax"), 32, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarParallelStress(
-	TEXT("r.RDG.ParallelExecuteStress"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
-TAutoConsoleVariable<int32> CVarVerboseCSVStats(
-	TEXT("r.RDG.VerboseCSVStats"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe);
+
+/** Those that the engine has and nothing here reads. */
+const FAutoConsoleVariable NotRead[] = {
+	{TEXT("r.RDG.Breakpoint"), 0, TEXT("Breaks into a debugger in the engine; without effect here."),
+		ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.TransientExtractedResources"), 1,
+		TEXT("Extracted resources outlive the heap of a graph here, so they always have memory of their own."),
+		ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelDestruction"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelSetup"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelExecute"), 1,
+		TEXT("Without effect here: passes run in turn, each over all threads (r.Drydock.Threads)."),
+		ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelExecute.PassMin"), 1, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelExecute.PassMax"), 32, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.ParallelExecuteStress"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+	{TEXT("r.RDG.VerboseCSVStats"), 0, TEXT("Without effect here."), ECVF_RenderThreadSafe},
+};
 
 bool PassesFilter(const FString& Filter, const TCHAR* Name)
 {

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "HAL/IConsoleManager.h"
+#include "RangeTools.h"
 #include "ShaderCompilation.h"
 
 #include <algorithm>
@@ -34,11 +35,7 @@ struct FNativeKernelRegistry
 
 std::vector<FNativeKernel> SortByName(const std::map<const FShaderType*, FNativeKernel>& Kernels)
 {
-	std::vector<FNativeKernel> Sorted;
-	for (const auto& [Type, Kernel] : Kernels)
-	{
-		Sorted.push_back(Kernel);
-	}
+	std::vector<FNativeKernel> Sorted = ToVector<FNativeKernel>(Kernels, [](const auto& Each) { return Each.second; });
 	std::ranges::sort(Sorted, [](const FNativeKernel& A, const FNativeKernel& B)
 		{ return std::string(A.Type->GetName()) < B.Type->GetName(); });
 	return Sorted;

@@ -40,13 +40,11 @@ DRYDOCK_API std::vector<FNativeKernel> GetNativeKernels();
 
 /** During its scope kernels replace any text, for tests that compare kernels with their shaders. There can be one at a
  * time. */
-class DRYDOCK_API FScopedNativeKernelsForAnyText
+class DRYDOCK_API FScopedNativeKernelsForAnyText : private FNoncopyable
 {
 public:
 	FScopedNativeKernelsForAnyText();
 	~FScopedNativeKernelsForAnyText();
-	FScopedNativeKernelsForAnyText(const FScopedNativeKernelsForAnyText&) = delete;
-	FScopedNativeKernelsForAnyText& operator=(const FScopedNativeKernelsForAnyText&) = delete;
 
 	/** Kernels that have stood in for another text than theirs, each with the fingerprint of that text. */
 	std::vector<FNativeKernel> GetStoodIn() const;
@@ -59,13 +57,11 @@ const typename TShaderClass::FParameters& GetNativeParameters(const FNativeKerne
 	return *static_cast<const typename TShaderClass::FParameters*>(Args.GetParameters());
 }
 
-class DRYDOCK_API FNativeKernelRegistrar
+class DRYDOCK_API FNativeKernelRegistrar : private FNoncopyable
 {
 public:
 	FNativeKernelRegistrar(const FShaderType& InType, FNativeKernelFunction Function, const char* Fingerprint);
 	~FNativeKernelRegistrar();
-	FNativeKernelRegistrar(const FNativeKernelRegistrar&) = delete;
-	FNativeKernelRegistrar& operator=(const FNativeKernelRegistrar&) = delete;
 
 private:
 	const FShaderType& Type;

@@ -27,13 +27,11 @@ DRYDOCK_API FShaderCompileRequest MakeShaderCompileRequest(
 
 /** During its scope Function receives each request before the compiler does; from any thread, one call at a time. There
  * can be one listener at a time. */
-class DRYDOCK_API FScopedCompileListener
+class DRYDOCK_API FScopedCompileListener : private FNoncopyable
 {
 public:
 	explicit FScopedCompileListener(std::function<void(const FShaderCompileRequest&)> Function);
 	~FScopedCompileListener();
-	FScopedCompileListener(const FScopedCompileListener&) = delete;
-	FScopedCompileListener& operator=(const FScopedCompileListener&) = delete;
 };
 
 /** Compiled code for the current arithmetic; compiles, or takes from the cache. bQuads: as in FShaderCompileRequest.

@@ -2,6 +2,7 @@
 // engine's.
 #include "ShaderParameterMetadata.h"
 
+#include "RangeTools.h"
 #include "UniformBufferStructs.h"
 
 #include <algorithm>
@@ -72,12 +73,7 @@ std::vector<const FShaderParametersMetadata*> GetUniformBufferStructs()
 			ByName[Entry->HlslName] = &Entry->GetMetadata();
 		}
 	}
-	std::vector<const FShaderParametersMetadata*> Structs;
-	for (const auto& [Name, Struct] : ByName)
-	{
-		Structs.push_back(Struct);
-	}
-	return Structs;
+	return ToVector<const FShaderParametersMetadata*>(ByName, [](const auto& Each) { return Each.second; });
 }
 
 std::string GetHlslTypeName(EUniformBufferBaseType BaseType, uint32 NumRows, uint32 NumColumns)

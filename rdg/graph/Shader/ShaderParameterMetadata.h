@@ -88,7 +88,7 @@ DRYDOCK_API const TCHAR* GetBaseTypeName(EUniformBufferBaseType BaseType);
 } // namespace Drydock
 
 /** Describes one parameter struct or uniform-buffer struct. Immutable; lives as long as the code that declared it. */
-class DRYDOCK_API FShaderParametersMetadata
+class DRYDOCK_API FShaderParametersMetadata : private FNoncopyable
 {
 public:
 	enum class EUseCase : uint8
@@ -160,9 +160,6 @@ public:
 		const TCHAR* InStaticSlotName, const ANSICHAR* InFileName, int32 InFileLine, uint32 InSize,
 		TArray<FMember> InMembers);
 
-	FShaderParametersMetadata(const FShaderParametersMetadata&) = delete;
-	FShaderParametersMetadata& operator=(const FShaderParametersMetadata&) = delete;
-
 	const TCHAR* GetStructTypeName() const { return StructTypeName; }
 	const TCHAR* GetShaderVariableName() const { return ShaderVariableName; }
 	const TCHAR* GetStaticSlotName() const { return StaticSlotName; }
@@ -209,15 +206,13 @@ DRYDOCK_API const FShaderParametersMetadata* FindUniformBufferStruct(const std::
 
 /** Makes a uniform-buffer struct known while it lives. Made by the IMPLEMENT_ macros, before main or when a plugin is
  * loaded. */
-class DRYDOCK_API FUniformBufferStructRegistrar
+class DRYDOCK_API FUniformBufferStructRegistrar : private FNoncopyable
 {
 public:
 	using FGetMetadata = const FShaderParametersMetadata& (*)();
 
 	FUniformBufferStructRegistrar(const char* InHlslName, FGetMetadata InGetMetadata);
 	~FUniformBufferStructRegistrar();
-	FUniformBufferStructRegistrar(const FUniformBufferStructRegistrar&) = delete;
-	FUniformBufferStructRegistrar& operator=(const FUniformBufferStructRegistrar&) = delete;
 
 	const char* HlslName;
 	FGetMetadata GetMetadata;

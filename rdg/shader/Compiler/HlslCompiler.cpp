@@ -4,9 +4,9 @@
 
 #include "KernelCompiler.h"
 #include "SpirvFile.h"
+#include "TextTools.h"
 
 #include <cstdlib>
-#include <sstream>
 #include <string_view>
 
 namespace Drydock
@@ -61,7 +61,7 @@ bool SplitPlace(const std::string& Text, FDiagnostic& Place)
 std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request)
 {
 	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
-	if (!Chosen || UsesOwnFrontEnd())
+	if (!Chosen || UsesOwnFrontEnd() || std::string_view(Chosen) == "old")
 	{
 		return {};
 	}
@@ -94,7 +94,7 @@ std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Reque
 bool UsesOwnFrontEnd()
 {
 	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
-	return Chosen && std::string_view(Chosen) == "drydock";
+	return (!Chosen && !GetChosenGlslang()) || (Chosen && std::string_view(Chosen) == "drydock");
 }
 
 const char* GetChosenGlslang()
@@ -156,8 +156,7 @@ std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler
 std::vector<FDiagnostic> ParseCompilerMessages(const std::string& Output, const FShaderCompileRequest& Request)
 {
 	std::vector<FDiagnostic> Errors;
-	std::istringstream Lines(Output);
-	for (std::string Text; std::getline(Lines, Text);)
+	for (const std::string& Text : SplitText(Output))
 	{
 		// "...: error: text", "...: fatal error: text", "...: error 30015: text"
 		size_t Severity = Text.find(": error");

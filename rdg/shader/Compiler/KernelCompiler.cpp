@@ -5,6 +5,7 @@
 #include "Diagnostics.h"
 #include "InstallPaths.h"
 #include "RegularFile.h"
+#include "TextTools.h"
 #include "TimeLimit.h"
 #include "ToolFault.h"
 
@@ -16,7 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
-#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -138,8 +138,7 @@ std::string KeepKernel(const std::string& Cpp)
 /** The first line of the compiler that names an error. */
 std::string FindErrorLine(const std::string& Output)
 {
-	std::istringstream Lines(Output);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Output))
 	{
 		if (Line.find("error") != std::string::npos)
 		{

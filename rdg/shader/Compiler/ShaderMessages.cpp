@@ -15,7 +15,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace Drydock
 {
@@ -271,11 +270,7 @@ private:
 		const auto [Known, bNew] = Texts.emplace(File, std::vector<std::string>());
 		if (bNew)
 		{
-			std::istringstream Stream(ReadShaderText(File, Request));
-			for (std::string Text; std::getline(Stream, Text);)
-			{
-				Known->second.push_back(Text);
-			}
+			Known->second = SplitText(ReadShaderText(File, Request));
 		}
 		const bool bThere = Line > 0 && size_t(Line) <= Known->second.size();
 		return bThere ? Known->second[size_t(Line) - 1] : std::string();

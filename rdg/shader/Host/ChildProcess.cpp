@@ -2,6 +2,7 @@
 #include "ChildProcess.h"
 
 #include "EndAction.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -12,7 +13,6 @@
 #include <filesystem>
 #include <poll.h>
 #include <spawn.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -119,7 +119,7 @@ int WaitFor(pid_t Process)
 
 /** A process group for a child and all that it starts, so that all of it can be ended. A shell in it waits for the end
  * of this process, however that comes, and ends the group then. */
-class FProcessGroup
+class FProcessGroup : private FNoncopyable
 {
 public:
 	FProcessGroup()
@@ -146,8 +146,6 @@ public:
 			close(Held);
 		}
 	}
-	FProcessGroup(const FProcessGroup&) = delete;
-	FProcessGroup& operator=(const FProcessGroup&) = delete;
 
 	pid_t Guard = 0; // the group has its number; 0: the shell is missing, and the child has a group of its own
 
@@ -212,9 +210,7 @@ std::string FindProgram(const std::string& Name)
 		return access(Name.c_str(), X_OK) == 0 && !std::filesystem::is_directory(Name) ? Name : std::string();
 	}
 	const char* Path = std::getenv("PATH");
-	std::istringstream Folders(Path ? Path : "");
-	std::string Folder;
-	while (std::getline(Folders, Folder, ':'))
+	for (const std::string& Folder : SplitText(Path ? Path : "", ':'))
 	{
 		const std::string Candidate = (Folder.empty() ? "." : Folder) + "/" + Name;
 		if (access(Candidate.c_str(), X_OK) == 0 && !std::filesystem::is_directory(Candidate))

@@ -17,14 +17,12 @@ namespace Drydock
  * other end RemoveAbandonedFolders removes it. The file .drydock.mark in it holds the numbers of the folder and of
  * itself, which no copy has, and lists what may be removed. A lock on the mark shows that the process lives. Other
  * things in the folder stay. A process that is killed between two steps may leave the folder empty. */
-class DRYDOCK_API FMarkedFolder
+class DRYDOCK_API FMarkedFolder : private FNoncopyable
 {
 public:
 	/** Begin: its path but for the last six characters, which are random. Throws std::system_error. */
 	explicit FMarkedFolder(const std::string& Begin);
 	~FMarkedFolder();
-	FMarkedFolder(const FMarkedFolder&) = delete;
-	FMarkedFolder& operator=(const FMarkedFolder&) = delete;
 
 	const std::string& GetPath() const { return Path; }
 

@@ -2,10 +2,10 @@
 #include "ToolFault.h"
 
 #include "FileDescriptor.h"
+#include "TextTools.h"
 
 #include <csignal>
 #include <cstring>
-#include <sstream>
 #include <sys/stat.h>
 
 namespace Drydock
@@ -36,8 +36,7 @@ std::string FindShortage(const std::string& Output)
 	static const char* const Signs[] = {"No space left on device", "Disk quota exceeded", "Read-only file system",
 		"File too large", "Cannot allocate memory", "out of memory", "memory exhausted", "Too many open files",
 		"Resource temporarily unavailable"};
-	std::istringstream Lines(Output);
-	for (std::string Line; std::getline(Lines, Line);)
+	for (const std::string& Line : SplitText(Output))
 	{
 		for (const char* const Sign : Signs)
 		{

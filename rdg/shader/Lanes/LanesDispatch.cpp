@@ -3,6 +3,7 @@
 
 #include "CpuLanes.h"
 #include "Diagnostics.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -36,12 +37,7 @@ bool AreLanesSupported(bool bDouble, int32_t Lanes)
 
 std::string GetBuiltLanes()
 {
-	std::string Text;
-	for (const int32_t Lanes : BuiltLanes)
-	{
-		Text += (Text.empty() ? "" : ", ") + std::to_string(Lanes);
-	}
-	return Text;
+	return JoinText(BuiltLanes, ", ", [](int32_t Lanes) { return std::to_string(Lanes); });
 }
 
 FLaneConfig ResolveLanes(FLaneConfig Lanes)

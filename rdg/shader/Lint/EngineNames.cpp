@@ -2,6 +2,7 @@
 #include "EngineNames.h"
 
 #include "InstallPaths.h"
+#include "RangeTools.h"
 #include "ShaderDirectories.h"
 #include "ShaderEntries.h"
 #include "ShaderSource.h"
@@ -9,10 +10,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace Drydock
 {
@@ -23,19 +24,11 @@ const std::vector<FEngineName>& GetEngineNames()
 	{
 		std::vector<FEngineName> Rows;
 		std::ifstream File(FindShippedShaders() + "/rdg/graph/Shaders/EngineNames.txt");
-		for (std::string Line; std::getline(File, Line);)
+		const std::string Text{std::istreambuf_iterator<char>(File), {}};
+		for (std::vector<std::string>& Columns : SplitRows(Text))
 		{
-			FEngineName Row;
-			std::istringstream Columns(Line);
-			if (!Line.empty() && Line[0] != '#')
-			{
-				for (std::string* const Column :
-					{&Row.Name, &Row.File, &Row.From, &Row.Until, &Row.Deprecated, &Row.Certainty})
-				{
-					std::getline(Columns, *Column, '\t');
-				}
-				Rows.push_back(std::move(Row));
-			}
+			Columns.resize(6);
+			Rows.push_back({Columns[0], Columns[1], Columns[2], Columns[3], Columns[4], Columns[5]});
 		}
 		return Rows;
 	}();
@@ -44,11 +37,7 @@ const std::vector<FEngineName>& GetEngineNames()
 
 std::vector<size_t> ListDefinitions(const FHlslText& Text)
 {
-	std::vector<size_t> Names;
-	for (const FFunctionText& Function : ListFunctionTexts(Text))
-	{
-		Names.push_back(Function.Name);
-	}
+	std::vector<size_t> Names = ToVector<size_t>(ListFunctionTexts(Text), &FFunctionText::Name);
 	for (size_t At = 0; At < Text.Size(); At = std::max(At, Text.FindClose(At)) + 1)
 	{
 		if (Text.Is(At, "struct") && Text.IsWord(At + 1))
@@ -108,17 +97,6 @@ bool IsEngines(const std::string& Name)
 	return Row && Row->IsEngines();
 }
 
-std::vector<std::string> ReadLines(const std::string& File, const FShaderCompileRequest& Request)
-{
-	std::vector<std::string> Lines;
-	std::istringstream Stream(ReadShaderText(File, Request));
-	for (std::string Line; std::getline(Stream, Line);)
-	{
-		Lines.push_back(Line);
-	}
-	return Lines;
-}
-
 } // namespace
 
 std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCompileRequest& Request)
@@ -131,7 +109,7 @@ std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCo
 	{
 		if (!Theirs.contains(File) && !IsShipped(File, Request))
 		{
-			Theirs.emplace(File, ReadLines(File, Request));
+			Theirs.emplace(File, SplitText(ReadShaderText(File, Request)));
 		}
 	}
 

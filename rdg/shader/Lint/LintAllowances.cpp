@@ -2,8 +2,7 @@
 #include "LintAllowances.h"
 
 #include "ShaderSource.h"
-
-#include <sstream>
+#include "TextTools.h"
 
 namespace Drydock
 {
@@ -15,10 +14,10 @@ std::set<std::pair<std::string, int>> ReadAllowances(const std::string& Text)
 {
 	const std::string Marker = "// drydock-lint: allow ";
 	std::set<std::pair<std::string, int>> Result;
-	std::istringstream Stream(Text);
-	int Number = 1;
-	for (std::string Line; std::getline(Stream, Line); ++Number)
+	int Number = 0;
+	for (const std::string& Line : SplitText(Text))
 	{
+		++Number;
 		const size_t At = Line.find(Marker);
 		if (At != std::string::npos)
 		{

@@ -30,12 +30,12 @@ DRYDOCK_API std::string DescribeLintPlatforms(uint8_t Platforms);
 
 struct FLintRule
 {
-	const char* Id;
+	std::string Id;
 	ESeverity Severity; // Error: does not compile or run there; Warning: on some of it, or not as meant
 	uint8_t Platforms;
-	const char* Sentence; // what is wrong
-	const char* WayRound;
-	const char* Source; // address of the document that states it
+	std::string Sentence; // what is wrong
+	std::string WayRound;
+	std::string Source; // address of the document that states it
 };
 
 /** All rules, sorted by their ids. */

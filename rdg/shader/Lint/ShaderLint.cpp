@@ -15,7 +15,6 @@
 #include "SpirvUniformity.h"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <set>
 
@@ -52,8 +51,7 @@ private:
 	void Add(const char* Id, const std::string& File, int Line, const std::string& What)
 	{
 		const std::vector<FLintRule>& Rules = GetLintRules();
-		const auto Rule = std::find_if(
-			Rules.begin(), Rules.end(), [Id](const FLintRule& Each) { return std::strcmp(Each.Id, Id) == 0; });
+		const auto Rule = std::ranges::find(Rules, Id, &FLintRule::Id);
 		if (Rule->Platforms & Platforms)
 		{
 			Findings.push_back({&*Rule, File.empty() ? Request.VirtualPath : File, Line, What});

@@ -109,7 +109,8 @@ TEST_F(DrydockProgram, HelpNamesEveryVerb)
 TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndOnThePageOfVerbs)
 {
 	const std::string Page = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/docs/verbs.md");
-	const std::regex Registered("\\.Name = \"(\\w+ )?(\\w+)\"");
+	const std::string Table = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/pipeline/Program/VerbTable.inl");
+	const std::regex Function("\nFVerbCall (Add\\w+)\\(");
 	for (const auto& Entry : std::filesystem::directory_iterator(DRYDOCK_TEST_SOURCE_DIR "/pipeline/Program"))
 	{
 		const std::string File = Entry.path().filename().string();
@@ -118,16 +119,23 @@ TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndOnThePageOfVerbs)
 			continue;
 		}
 		const std::string Source = ReadFile(Entry.path());
-		std::sregex_iterator Verb(Source.begin(), Source.end(), Registered);
-		EXPECT_NE(std::sregex_iterator(), Verb) << File << " registers no verb";
-		for (; Verb != std::sregex_iterator(); ++Verb)
+		std::sregex_iterator Added(Source.begin(), Source.end(), Function);
+		EXPECT_NE(std::sregex_iterator(), Added) << File << " adds no verb";
+		for (; Added != std::sregex_iterator(); ++Added)
 		{
-			const std::string Above = (*Verb)[1];
-			const std::string Name = (*Verb)[2];
-			EXPECT_TRUE(Contains(Call(Above + "--help").Out, "\n  " + Name + " ")) << File << ": " << Name;
-			EXPECT_TRUE(Contains(Page, "\n| `" + Above + Name + " "))
-				<< File << ": docs/verbs.md has no row of " << Name;
+			EXPECT_TRUE(Contains(Table, ", " + (*Added)[1].str() + ", \""))
+				<< File << ": VerbTable.inl has no row of it";
 		}
+	}
+	const std::regex Row("\nDRYDOCK_VERB\\(\"(\\w+ )?(\\w+)\"");
+	std::sregex_iterator Verb(Table.begin(), Table.end(), Row);
+	EXPECT_NE(std::sregex_iterator(), Verb);
+	for (; Verb != std::sregex_iterator(); ++Verb)
+	{
+		const std::string Above = (*Verb)[1];
+		const std::string Name = (*Verb)[2];
+		EXPECT_TRUE(Contains(Call(Above + "--help").Out, "\n  " + Name + " ")) << Name;
+		EXPECT_TRUE(Contains(Page, "\n| `" + Above + Name + " ")) << "docs/verbs.md has no row of " << Name;
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "HAL/ConsoleVariableTools.h"
 
 #include "Diagnostics.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -39,10 +40,8 @@ bool IsNumber(const TCHAR* Text)
 	{
 		View.remove_prefix(1);
 	}
-	T Value{};
-	const auto Result = std::from_chars(View.data(), View.data() + View.size(), Value);
-	return Result.ec == std::errc() && Result.ptr == View.data() + View.size() &&
-		   std::isfinite(static_cast<double>(Value));
+	const std::optional<T> Value = Drydock::ParseAll<T>(View);
+	return Value && std::isfinite(static_cast<double>(*Value));
 }
 
 bool IsBool(const FString& Text)

@@ -52,13 +52,11 @@ DRYDOCK_API const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags Flags
 DRYDOCK_API const TCHAR* GetConsoleVariableTypeName(const IConsoleVariable& Variable);
 
 /** Puts back, when it ends, the values and setters that all variables had when it began. */
-class DRYDOCK_API FConsoleVariableSnapshot
+class DRYDOCK_API FConsoleVariableSnapshot : private FNoncopyable
 {
 public:
 	FConsoleVariableSnapshot();
 	~FConsoleVariableSnapshot();
-	FConsoleVariableSnapshot(const FConsoleVariableSnapshot&) = delete;
-	FConsoleVariableSnapshot& operator=(const FConsoleVariableSnapshot&) = delete;
 
 private:
 	struct FValue
@@ -71,7 +69,7 @@ private:
 };
 
 /** Sets a variable for the length of a scope and puts back the value and the priority it had. For tests. */
-class DRYDOCK_API FScopedConsoleVariable
+class DRYDOCK_API FScopedConsoleVariable : private FNoncopyable
 {
 public:
 	/** The variable must exist. */
@@ -85,8 +83,6 @@ public:
 	{
 	}
 	~FScopedConsoleVariable();
-	FScopedConsoleVariable(const FScopedConsoleVariable&) = delete;
-	FScopedConsoleVariable& operator=(const FScopedConsoleVariable&) = delete;
 
 private:
 	IConsoleVariable* Variable;

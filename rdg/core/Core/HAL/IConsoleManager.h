@@ -134,7 +134,7 @@ using FConsoleObjectVisitor = TDelegate<void(const TCHAR* Name, IConsoleObject* 
 using FConsoleVariableSinkHandle = FDelegateHandle;
 
 /** All console objects of the process. There from the first use on, so that static variables may register. */
-class DRYDOCK_API IConsoleManager
+class DRYDOCK_API IConsoleManager : private FNoncopyable
 {
 public:
 	static IConsoleManager& Get();
@@ -201,20 +201,14 @@ public:
 private:
 	IConsoleManager();
 	~IConsoleManager();
-	IConsoleManager(const IConsoleManager&) = delete;
-	IConsoleManager& operator=(const IConsoleManager&) = delete;
 
 	struct FState;
 	FState* State;
 };
 
 /** A registration that ends with this object. */
-class FAutoConsoleObject
+class FAutoConsoleObject : private FNoncopyable
 {
-public:
-	FAutoConsoleObject(const FAutoConsoleObject&) = delete;
-	FAutoConsoleObject& operator=(const FAutoConsoleObject&) = delete;
-
 protected:
 	explicit FAutoConsoleObject(IConsoleObject* InTarget)
 		: Target(InTarget)
@@ -336,7 +330,7 @@ public:
 };
 
 /** A sink that ends with this object. */
-class FAutoConsoleVariableSink
+class FAutoConsoleVariableSink : private FNoncopyable
 {
 public:
 	explicit FAutoConsoleVariableSink(const FConsoleCommandDelegate& Command)
@@ -344,8 +338,6 @@ public:
 	{
 	}
 	~FAutoConsoleVariableSink() { IConsoleManager::Get().UnregisterConsoleVariableSink_Handle(Handle); }
-	FAutoConsoleVariableSink(const FAutoConsoleVariableSink&) = delete;
-	FAutoConsoleVariableSink& operator=(const FAutoConsoleVariableSink&) = delete;
 
 private:
 	FConsoleVariableSinkHandle Handle;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoreTypes.h"
+#include "Templates/UnrealTemplate.h"
 
 #include <atomic>
 #include <functional>
@@ -11,13 +12,11 @@ namespace Drydock
 
 /** Watches code during its scope: once no sign of life has come for Limit seconds, Report is called from another
  * thread, and ends the process, unless something else does. */
-class DRYDOCK_API FWatchdog
+class DRYDOCK_API FWatchdog : private FNoncopyable
 {
 public:
 	FWatchdog(double InLimit, std::function<void()> InReport);
 	~FWatchdog();
-	FWatchdog(const FWatchdog&) = delete;
-	FWatchdog& operator=(const FWatchdog&) = delete;
 
 	/** From any thread. */
 	void IsAlive() { NumSigns.fetch_add(1, std::memory_order_relaxed); }

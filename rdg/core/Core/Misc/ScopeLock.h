@@ -3,8 +3,9 @@
 
 #include "HAL/CriticalSection.h"
 #include "Misc/AssertionMacros.h"
+#include "Templates/UnrealTemplate.h"
 
-class FScopeLock
+class FScopeLock : private FNoncopyable
 {
 public:
 	explicit FScopeLock(FCriticalSection* InSection)
@@ -14,8 +15,6 @@ public:
 		Section->Lock();
 	}
 	~FScopeLock() { Unlock(); }
-	FScopeLock(const FScopeLock&) = delete;
-	FScopeLock& operator=(const FScopeLock&) = delete;
 
 	/** Before the end of the scope. */
 	void Unlock()

@@ -113,7 +113,7 @@ private:
 /** Registers a class of a plugin for as long as the plugin is loaded; does nothing for classes that are not made by
  * themselves. Generated code has one for each UCLASS. */
 template<typename T>
-class TClassRegistration
+class TClassRegistration : private FNoncopyable
 {
 public:
 	explicit TClassRegistration(const TCHAR* Name)
@@ -134,8 +134,6 @@ public:
 			FSubsystems::Get().Unregister(typeid(T));
 		}
 	}
-	TClassRegistration(const TClassRegistration&) = delete;
-	TClassRegistration& operator=(const TClassRegistration&) = delete;
 
 private:
 	static constexpr bool bIsMade = std::is_base_of_v<USubsystem, T> && !std::is_abstract_v<T>;

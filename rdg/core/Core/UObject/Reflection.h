@@ -472,7 +472,7 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 
 /** Known for as long as the library is loaded. */
 template<typename T>
-class TReflectionRegistration
+class TReflectionRegistration : private FNoncopyable
 {
 public:
 	explicit TReflectionRegistration(T InInfo)
@@ -481,8 +481,6 @@ public:
 		FReflection::Get().Register(*Info);
 	}
 	~TReflectionRegistration() { FReflection::Get().Unregister(*Info); }
-	TReflectionRegistration(const TReflectionRegistration&) = delete;
-	TReflectionRegistration& operator=(const TReflectionRegistration&) = delete;
 
 private:
 	std::unique_ptr<T> Info;

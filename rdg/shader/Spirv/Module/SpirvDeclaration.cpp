@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <sstream>
 
 namespace Drydock
 {
@@ -108,8 +107,7 @@ FTextLine FindSemantic(const std::string& Text, const std::string& Name, const s
 		return false;
 	};
 	FTextLine At{{}, 1};
-	std::istringstream Rows(Text);
-	for (std::string Row; std::getline(Rows, Row);)
+	for (const std::string& Row : SplitText(Text))
 	{
 		const size_t Quote = Row.starts_with("#line ") ? Row.find('"') : std::string::npos;
 		if (Quote != std::string::npos)

@@ -211,8 +211,7 @@ void FSpirvProgram::AddStep(const FSpirvInstruction& I)
 	}
 	if (I.Op == OpFunctionCall)
 	{
-		const auto Found = std::find_if(Module.Functions.begin(), Module.Functions.end(),
-			[&I](const FSpirvFunction& Function) { return Function.Id == I.Operands.at(0); });
+		const auto Found = std::ranges::find(Module.Functions, I.Operands.at(0), &FSpirvFunction::Id);
 		const bool bKnown = Found != Module.Functions.end();
 		Step.Function = bKnown ? uint32_t(Found - Module.Functions.begin()) : ~0u;
 		if (bKnown && Functions[Step.Function].Parameters.size() + 1 != I.Operands.size())

@@ -15,72 +15,91 @@ using namespace Spirv;
 namespace Waves
 {
 
-/** Combines two numbers as SPIR-V's wave arithmetic does; words of reals are reals. */
-template<typename Real>
-TSpirvWord<Real> Combine(uint16_t Op, TSpirvWord<Real> A, TSpirvWord<Real> B)
+/** Combines two integers as SPIR-V's wave arithmetic does. T: uint32_t or uint64_t. */
+template<typename T>
+T CombineIntegers(uint16_t Op, T A, T B)
 {
-	using FWord = TSpirvWord<Real>;
-	const Real X = ToSpirvReal<Real>(A);
-	const Real Y = ToSpirvReal<Real>(B);
-	const uint32_t P = uint32_t(A);
-	const uint32_t Q = uint32_t(B);
+	using FSigned = std::make_signed_t<T>;
 	switch (Op)
 	{
 	case OpGroupNonUniformIAdd:
-		return FWord(P + Q);
+		return A + B;
+	case OpGroupNonUniformIMul:
+		return A * B;
+	case OpGroupNonUniformSMin:
+		return FSigned(A) < FSigned(B) ? A : B;
+	case OpGroupNonUniformUMin:
+		return std::min(A, B);
+	case OpGroupNonUniformSMax:
+		return FSigned(A) > FSigned(B) ? A : B;
+	case OpGroupNonUniformUMax:
+		return std::max(A, B);
+	case OpGroupNonUniformBitwiseAnd:
+		return A & B;
+	case OpGroupNonUniformBitwiseOr:
+		return A | B;
+	default:
+		return A ^ B;
+	}
+}
+
+/** Combines two numbers; words of reals are reals. */
+template<typename Real>
+TSpirvWord<Real> Combine(uint16_t Op, TSpirvWord<Real> A, TSpirvWord<Real> B)
+{
+	const Real X = ToSpirvReal<Real>(A);
+	const Real Y = ToSpirvReal<Real>(B);
+	switch (Op)
+	{
 	case OpGroupNonUniformFAdd:
 		return ToSpirvWord<Real>(X + Y);
-	case OpGroupNonUniformIMul:
-		return FWord(P * Q);
 	case OpGroupNonUniformFMul:
 		return ToSpirvWord<Real>(X * Y);
-	case OpGroupNonUniformSMin:
-		return FWord(int32_t(P) < int32_t(Q) ? P : Q);
-	case OpGroupNonUniformUMin:
-		return FWord(std::min(P, Q));
 	case OpGroupNonUniformFMin:
 		return ToSpirvWord<Real>(Lanes::Min(X, Y));
-	case OpGroupNonUniformSMax:
-		return FWord(int32_t(P) > int32_t(Q) ? P : Q);
-	case OpGroupNonUniformUMax:
-		return FWord(std::max(P, Q));
 	case OpGroupNonUniformFMax:
 		return ToSpirvWord<Real>(Lanes::Max(X, Y));
-	case OpGroupNonUniformBitwiseAnd:
-		return FWord(P & Q);
-	case OpGroupNonUniformBitwiseOr:
-		return FWord(P | Q);
 	default:
-		return FWord(P ^ Q);
+		return TSpirvWord<Real>(CombineIntegers(Op, uint32_t(A), uint32_t(B)));
+	}
+}
+
+template<typename T>
+T GetIntegerIdentity(uint16_t Op)
+{
+	constexpr T SignedMax = T(std::numeric_limits<std::make_signed_t<T>>::max());
+	switch (Op)
+	{
+	case OpGroupNonUniformIMul:
+		return 1;
+	case OpGroupNonUniformSMin:
+		return SignedMax;
+	case OpGroupNonUniformUMin:
+	case OpGroupNonUniformBitwiseAnd:
+		return T(-1);
+	case OpGroupNonUniformSMax:
+		return SignedMax + 1;
+	default:
+		return 0;
 	}
 }
 
 template<typename Real>
 TSpirvWord<Real> GetIdentity(uint16_t Op)
 {
-	using FWord = TSpirvWord<Real>;
 	constexpr Real Infinity = std::numeric_limits<Real>::infinity();
 	switch (Op)
 	{
 	case OpGroupNonUniformFAdd:
 		return ToSpirvWord<Real>(Real(0));
-	case OpGroupNonUniformIMul:
-		return FWord(1);
 	case OpGroupNonUniformFMul:
 		return ToSpirvWord<Real>(Real(1));
-	case OpGroupNonUniformSMin:
-		return FWord(0x7FFFFFFFu);
-	case OpGroupNonUniformUMin:
-	case OpGroupNonUniformBitwiseAnd:
-		return FWord(~0u);
 	case OpGroupNonUniformFMin:
 		return ToSpirvWord<Real>(Infinity);
-	case OpGroupNonUniformSMax:
-		return FWord(0x80000000u);
 	case OpGroupNonUniformFMax:
 		return ToSpirvWord<Real>(-Infinity);
 	default:
-		return FWord(0);
+		return TSpirvWord<Real>(GetIntegerIdentity<uint32_t>(Op));
 	}
 }
 
@@ -96,45 +115,15 @@ TSpirvWord<Real> CombineOf(ESpirvType Kind, uint16_t Op, TSpirvWord<Real> A, TSp
 	{
 		return Combine<Real>(Op, A, B);
 	}
-	switch (Op)
-	{
-	case OpGroupNonUniformIAdd:
-		return A + B;
-	case OpGroupNonUniformIMul:
-		return A * B;
-	case OpGroupNonUniformSMin:
-		return int64_t(A) < int64_t(B) ? A : B;
-	case OpGroupNonUniformUMin:
-		return std::min(A, B);
-	case OpGroupNonUniformSMax:
-		return int64_t(A) > int64_t(B) ? A : B;
-	case OpGroupNonUniformUMax:
-		return std::max(A, B);
-	case OpGroupNonUniformBitwiseAnd:
-		return A & B;
-	case OpGroupNonUniformBitwiseOr:
-		return A | B;
-	default:
-		return A ^ B;
-	}
+	return CombineIntegers<uint64_t>(Op, A, B);
 }
 
 template<typename Real>
 TSpirvWord<Real> GetIdentityOf(ESpirvType Kind, uint16_t Op)
 {
-	const bool bLong = Kind == ESpirvType::Long || Kind == ESpirvType::Ulong;
-	switch (bLong ? Op : 0)
-	{
-	case OpGroupNonUniformSMin:
-		return uint64_t(std::numeric_limits<int64_t>::max());
-	case OpGroupNonUniformUMin:
-	case OpGroupNonUniformBitwiseAnd:
-		return ~uint64_t(0);
-	case OpGroupNonUniformSMax:
-		return uint64_t(1) << 63;
-	default:
-		return Kind == ESpirvType::Double ? GetIdentity<double>(Op) : GetIdentity<Real>(Op);
-	}
+	return Kind == ESpirvType::Long || Kind == ESpirvType::Ulong ? GetIntegerIdentity<uint64_t>(Op)
+		   : Kind == ESpirvType::Double                          ? GetIdentity<double>(Op)
+																 : GetIdentity<Real>(Op);
 }
 
 } // namespace Waves

@@ -425,7 +425,7 @@ an article adds, and a function, structure or constant of drydock's own. The fin
 known, the name that the engine has instead. `rdg/graph/Shaders/EngineNames.txt` lists the engine's names and states how
 certain each is. The rule does not look at C++.
 
-The table is made from `rdg/shader/Lint/LintRules.cpp`. To write the page anew, run
+The table is made from `rdg/shader/Lint/LintRules.txt`. To write the page anew, run
 `DRYDOCK_BLESS=1 build/release/bin/test_rdg_Compiler --gtest_filter='ShaderLint.Doc*'`. Each rule is stated by the
 document that its name links to.
 

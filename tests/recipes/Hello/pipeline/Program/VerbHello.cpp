@@ -9,9 +9,6 @@
 namespace Drydock
 {
 
-namespace
-{
-
 FVerbCall AddHelloOptions(FVerbOptions& Verb)
 {
 	const auto Name = std::make_shared<std::string>("world");
@@ -22,15 +19,5 @@ FVerbCall AddHelloOptions(FVerbOptions& Verb)
 		return ExitDone;
 	};
 }
-
-const FVerbRegistration GHelloRegistration({
-	.Name = "hello",
-	.Place = 1000,
-	.Group = EVerbGroup::Run,
-	.Doc = "Greet somebody",
-	.AddOptions = AddHelloOptions,
-});
-
-} // namespace
 
 } // namespace Drydock

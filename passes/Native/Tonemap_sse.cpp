@@ -1,4 +1,0 @@
-// The tonemapper for SSE 4.1: 4 float lanes.
-#include "Native/TonemapLanes.inl"
-
-template struct Drydock::TTonemapLanes<4>;
