@@ -1,13 +1,13 @@
-// What must hold for any .usf text: it flattens so that every line keeps its place, or there is a message; whatever the
-// front end prints is read; and a module that goes with the text is walked to the end or refused. The front end itself
-// is a program of its own (drydock_front_end) and stands in here as what it makes: modules of a corpus, changed as the
-// text says. Used by the fuzzer, and by a test that runs its corpus.
+// What must hold for any .usf text: it flattens so that every line keeps its place, or there is a message; the front
+// end makes a module of it, or there is a message; whatever a compiler prints is read; and that module, or one of a
+// corpus that is changed as the text says, is walked to the end or refused. Used by the fuzzer, and by a test that runs
+// its corpus.
 #pragma once
 
 #include "FuzzSpirvChecks.h"
 #include "FuzzSpirvMutate.h"
+#include "HlslCompiler.h"
 #include "ShaderFrontEnd.h"
-#include "ShaderRewrites.h"
 
 #include <cstring>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace Drydock
 struct FUsfInput
 {
 	FShaderCompileRequest Request;
-	std::string Messages; // as the front end might print them
+	std::string Messages; // as a compiler might print them
 };
 
 inline FUsfInput ReadUsfInput(const std::string& Text)
@@ -89,14 +89,11 @@ inline std::string TrimEnd(const std::string& Line)
 }
 
 /** By its #line directives, every line of the flattened text that claims to be of the shader is at one that the shader
- * has; and where nothing replaces words (macros, comments, joined lines, enums, loads) it is that line itself. A text
- * that the rewrites of HLSL have changed begins with a #line before the pragma that every text gets. */
+ * has; and where nothing replaces words (macros, comments, joined lines) it is that line itself. */
 inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::string& Flattened)
 {
 	const std::string Main = NormalizeShaderText(Input.Request.GeneratedFiles[0].second);
-	std::set<std::string> Used;
-	const std::vector<std::string> Expected =
-		SplitLines(RewriteUniformBuffers(Main, Input.Request.UniformBuffers, Used));
+	const std::vector<std::string> Expected = SplitLines(Main);
 	std::string All;
 	for (const auto& [Path, Text] : Input.Request.GeneratedFiles)
 	{
@@ -104,8 +101,8 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 	}
 	const std::string Pragma = "#pragma pack_matrix(row_major)";
 	const std::string Mine = " \"" + Input.Request.VirtualPath + "\"";
-	bool bPlain = Input.Request.Defines.empty() && !Flattened.starts_with("#line 1" + Mine + "\n" + Pragma);
-	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "enum", "_", "DRYDOCK", ".Load", "View\n"})
+	bool bPlain = Input.Request.Defines.empty();
+	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "_", "DRYDOCK"})
 	{
 		bPlain = bPlain && All.find(Changed) == std::string::npos;
 	}
@@ -133,11 +130,11 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 inline std::string CheckUsfText(const std::string& Text, const std::vector<std::vector<uint32_t>>& Modules)
 {
 	const FUsfInput Input = ReadUsfInput(Text);
-	for (const FDiagnostic& Found : ParseFrontEndMessages(Input.Messages, Input.Request))
+	for (const FDiagnostic& Found : ParseCompilerMessages(Input.Messages, Input.Request))
 	{
 		if (Found.Code < 6010 || Found.Code > 6012)
 		{
-			return "a message of the front end with the number " + std::to_string(Found.Code);
+			return "a message of a compiler with the number " + std::to_string(Found.Code);
 		}
 	}
 	FShaderSource Source;
@@ -165,6 +162,25 @@ inline std::string CheckUsfText(const std::string& Text, const std::vector<std::
 	{
 		return Problem;
 	}
+	std::string Message;
+	try
+	{
+		const std::vector<uint32_t> Made = CompileToSpirv(Source, Input.Request);
+		if (WalkSpirv(Made, Message, Source.Text) != ESpirvWalk::Run && Message.empty())
+		{
+			return "what the front end made is refused without a message";
+		}
+	}
+	catch (const FError& Error)
+	{
+		for (const FDiagnostic& Found : Error.GetDiagnostics())
+		{
+			if (Found.Message.empty() || !std::set<int>{6010, 6011, 6012, 6020}.contains(Found.Code))
+			{
+				return "an error of the front end without a number of its own: " + Found.ToString();
+			}
+		}
+	}
 	std::mt19937 Random(uint32_t(std::hash<std::string>()(Text)));
 	if (Random() % 8 != 0)
 	{
@@ -172,7 +188,7 @@ inline std::string CheckUsfText(const std::string& Text, const std::vector<std::
 	}
 	std::vector<uint32_t> Words = Modules[Random() % Modules.size()];
 	MutateSpirv(Words, Random);
-	std::string Message;
+	Message.clear();
 	const ESpirvWalk Walk = WalkSpirv(Words, Message, Source.Text);
 	return Walk != ESpirvWalk::Run && Message.empty() ? "refused without a message" : "";
 }

@@ -97,18 +97,6 @@ if(NOT Result EQUAL 0 OR NOT Output MATCHES "ArticleUpPass")
 endif()
 message(STATUS "the article's plugin: ${Output}")
 
-# An installation without its front end is an error: another glslang rounds otherwise, and the cache would keep that.
-set(FrontEnd "${WORK}/prefix/libexec/drydock/drydock_front_end")
-file(RENAME "${FrontEnd}" "${FrontEnd}.away")
-execute_process(COMMAND ${CMAKE_COMMAND} -E env "DRYDOCK_CACHE_DIR=${WORK}/empty_cache"
-	${CMAKE_COMMAND} -E chdir "${WORK}/elsewhere" "${WORK}/prefix/bin/drydock" run article.json --out without
-	RESULT_VARIABLE Result OUTPUT_VARIABLE Output ERROR_VARIABLE Errors)
-file(RENAME "${FrontEnd}.away" "${FrontEnd}")
-if(NOT Result EQUAL 3 OR NOT Errors MATCHES "DD6012[^\n]*drydock_front_end is not beside")
-	message(FATAL_ERROR "without its front end the program ends with ${Result}: ${Output}${Errors}")
-endif()
-message(STATUS "without its front end: ${Errors}")
-
 # Last, since it changes the installation's shaders: a frame shows an edit of any of them. EditedShaderTest.cpp
 # compiles the same, so that the tests' cache may be used.
 find_program(Python python3)

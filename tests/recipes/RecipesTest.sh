@@ -15,7 +15,7 @@ Fail() { printf 'RecipesTest: %s\n' "$*" >&2; exit 1; }
 rm -rf "$Tree"
 mkdir -p "$Tree" "$Work/edited"
 (cd "$Source" && cp -a CMakeLists.txt CMakePresets.json rdg settings passes pipeline cmake templates configs "$Tree/")
-find "$Tree/rdg" -name '*.cpp' ! -name 'FrontEnd[CIST]*.cpp' ! -name FrontEndProgram.cpp -delete # the front end is a program
+find "$Tree/rdg" -name '*.cpp' -delete
 [ -f "$Work/edited/Reused.cpp" ] || echo '// The library of rdg stands ready.' >"$Work/edited/Reused.cpp"
 cp -p "$Work/edited/Reused.cpp" "$Tree/rdg/core/Core/Reused.cpp"
 

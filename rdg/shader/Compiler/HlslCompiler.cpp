@@ -1,13 +1,13 @@
-// Calls dxc, slangc and glslangValidator. Source of the options: their own lists (dxc -help, slangc -h,
-// glslangValidator --help).
+// Calls dxc and slangc. Source of the options: their own lists (dxc -help, slangc -h).
 #include "HlslCompiler.h"
 
+#include "HlslTokens.h"
 #include "KernelCompiler.h"
 #include "SpirvFile.h"
 #include "TextTools.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <string_view>
 
 namespace Drydock
 {
@@ -61,7 +61,7 @@ bool SplitPlace(const std::string& Text, FDiagnostic& Place)
 std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request)
 {
 	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
-	if (!Chosen || UsesOwnFrontEnd() || std::string_view(Chosen) == "old")
+	if (!Chosen)
 	{
 		return {};
 	}
@@ -70,36 +70,21 @@ std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Reque
 		return FError(
 			{ESeverity::Error, 6012, "DRYDOCK_HLSL_COMPILER: " + Message, Request.VirtualPath, 0, 0, {}}, ExitUsage);
 	};
-	FHlslCompiler Compiler{FindProgram(Chosen), EHlslCompiler::Glslang};
+	FHlslCompiler Compiler{FindProgram(Chosen), EHlslCompiler::Dxc};
 	if (Compiler.Program.empty())
 	{
 		throw Fail(std::string("there is no program '") + Chosen + "'");
 	}
 	const std::string Name = Compiler.GetName();
-	if (Name.starts_with("dxc"))
-	{
-		Compiler.Kind = EHlslCompiler::Dxc;
-	}
-	else if (Name.starts_with("slangc"))
+	if (Name.starts_with("slangc"))
 	{
 		Compiler.Kind = EHlslCompiler::Slang;
 	}
-	else if (!Name.starts_with("glslang"))
+	else if (!Name.starts_with("dxc"))
 	{
-		throw Fail("'" + Name + "' is not known; a program is called as its name begins: dxc, slangc or glslang");
+		throw Fail("'" + Name + "' is not known; a program is called as its name begins: dxc or slangc");
 	}
 	return Compiler;
-}
-
-bool UsesOwnFrontEnd()
-{
-	const char* const Chosen = GetChosenProgram("DRYDOCK_HLSL_COMPILER");
-	return (!Chosen && !GetChosenGlslang()) || (Chosen && std::string_view(Chosen) == "drydock");
-}
-
-const char* GetChosenGlslang()
-{
-	return GetChosenProgram("DRYDOCK_GLSLANG");
 }
 
 std::string GetHlslCompilerId(const FShaderCompileRequest& Request)
@@ -108,16 +93,32 @@ std::string GetHlslCompilerId(const FShaderCompileRequest& Request)
 	{
 		return {};
 	}
-	if (UsesOwnFrontEnd())
+	const std::optional<FHlslCompiler> Compiler = FindHlslCompiler(Request);
+	return Compiler ? GetCompilerId(Compiler->Program) : std::string();
+}
+
+std::string WriteForCompiler(const std::string& Text, const FShaderCompileRequest& Request)
+{
+	FHlslText Read(Text, Request.VirtualPath);
+	FHlslTokens Written;
+	Written.reserve(Read.Size());
+	for (size_t At = 0; At < Read.Size(); ++At)
 	{
-		return "drydock";
+		const auto IsRead = [&](const FShaderUniformBuffer& Buffer)
+		{
+			return Read[At].Text == Buffer.Name &&
+				   std::ranges::find(Buffer.Members, Read[At + 2].Text) != Buffer.Members.end();
+		};
+		const bool bPoint = Read.IsWord(At) && Read.Is(At + 1, ".") && Read.IsWord(At + 2);
+		Written.push_back(Read[At]);
+		if (bPoint && (At == 0 || !Read.Is(At - 1, ".")) && std::ranges::any_of(Request.UniformBuffers, IsRead))
+		{
+			Written.back().Text += "_" + Read[At + 2].Text;
+			At += 2;
+		}
 	}
-	if (const std::optional<FHlslCompiler> Compiler = FindHlslCompiler(Request))
-	{
-		return GetCompilerId(Compiler->Program);
-	}
-	const char* const Glslang = GetChosenGlslang();
-	return Glslang ? GetCompilerId(FindProgram(Glslang)) : std::string();
+	Read.Tokens = std::move(Written);
+	return Read.Join();
 }
 
 std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler, const FShaderCompileRequest& Request,
@@ -137,12 +138,6 @@ std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler
 		Arguments = {Compiler.Program, "-target", "spirv", "-profile", "sm_6_0", "-stage",
 			Choose(Stage, "compute", "fragment", "vertex"), "-entry", Entry, "-fvk-use-entrypoint-name",
 			"-matrix-layout-row-major", "-fvk-use-dx-layout", "-g", "-o", Output};
-		break;
-	case EHlslCompiler::Glslang:
-		// --nan-clamp: min, max and clamp by D3D's NaN rules. hlsl_functionality1: semantics of inputs are kept.
-		Arguments = {Compiler.Program, "-D", "-V", "-g", "--hlsl-offsets", "--nan-clamp", "-fhlsl_functionality1",
-			"--auto-map-bindings", "--auto-map-locations", "-S", Choose(Stage, "comp", "frag", "vert"), "-e", Entry,
-			"-o", Output};
 		break;
 	}
 	if (Request.bKeepFunctions)

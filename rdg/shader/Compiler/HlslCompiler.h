@@ -15,7 +15,6 @@ namespace Drydock
 
 enum class EHlslCompiler
 {
-	Glslang, // glslangValidator, glslang
 	Dxc,
 	Slang,
 };
@@ -23,27 +22,22 @@ enum class EHlslCompiler
 struct FHlslCompiler
 {
 	std::string Program; // full path
-	EHlslCompiler Kind = EHlslCompiler::Glslang;
+	EHlslCompiler Kind = EHlslCompiler::Dxc;
 
 	/** "dxc", without its folder. */
 	std::string GetName() const { return Program.substr(Program.rfind('/') + 1); }
 };
 
 /** The compiler that DRYDOCK_HLSL_COMPILER names; nothing where it is not set. Throws FError DD6012 where that program
- * is not there, or its base name begins with none of dxc, slangc and glslang. */
+ * is not there, or its base name begins with neither dxc nor slangc. */
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
-/** Whether DRYDOCK_HLSL_COMPILER is "drydock": the front end of rdg/shader/Hlsl reads the text, and nothing is rewritten
- * before it. */
-DRYDOCK_API bool UsesOwnFrontEnd();
-
-/** The program that DRYDOCK_GLSLANG names, to be run in place of drydock's own front end; null where it names none. */
-const char* GetChosenGlslang();
-
-/** Path, size and time of the program that DRYDOCK_HLSL_COMPILER or DRYDOCK_GLSLANG names, hashed: its results are kept
- * apart from those of others. Empty where neither is set, and for SPIR-V, which needs none. Throws as FindHlslCompiler.
- */
+/** Path, size and time of the program that DRYDOCK_HLSL_COMPILER names, hashed: its results are kept apart from those of
+ * others. Empty where it is not set, and for SPIR-V, which needs none. Throws as FindHlslCompiler. */
 std::string GetHlslCompilerId(const FShaderCompileRequest& Request);
+
+/** The text with X_Y in place of X.Y for the members of uniform buffers, as the engine writes them for its compilers. */
+DRYDOCK_API std::string WriteForCompiler(const std::string& Text, const FShaderCompileRequest& Request);
 
 /** The program and its arguments: from the file Input, SPIR-V in the file Output. */
 DRYDOCK_API std::vector<std::string> MakeHlslCompilerArguments(const FHlslCompiler& Compiler,

@@ -2,14 +2,11 @@
 #include "ShaderSource.h"
 
 #include "ContentHash.h"
-#include "HlslCompiler.h"
-#include "HlslRewrites.h"
 #include "LeftOutStages.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
 #include "ShaderPreprocessor.h"
 #include "ShaderPrints.h"
-#include "ShaderRewrites.h"
 #include "SpirvFile.h"
 
 #include <algorithm>
@@ -46,13 +43,6 @@ std::string DescribeAbsence(const std::string& Path, const std::string& Unreadab
 	return (Nearest.empty() ? std::string() : "; did you mean " + Nearest + "?") +
 		   (Nearest.empty() ? "; mapped by AddShaderSourceDirectoryMapping: " : " Mapped: ") +
 		   (Folders.empty() ? "nothing" : Folders);
-}
-
-/** As DXC says it of itself with -enable-16bit-types: half is a number of 16 bits. */
-bool HasRealHalf(const FShaderCompileRequest& Request)
-{
-	return std::any_of(Request.Defines.begin(), Request.Defines.end(),
-		[](const auto& Define) { return Define.first == "__HLSL_ENABLE_16_BIT" && Define.second != "0"; });
 }
 
 class FFlattener
@@ -260,23 +250,12 @@ FShaderSource FFlattener::Run()
 	Result.Fingerprint = Fingerprint();
 	// The engine packs matrices by rows, which is how FMatrix44f lies in memory.
 	const std::string Printing = RewritePrints(Preprocessor.GetText(), Request.bKeepFunctions, Result.Strings);
-	if (UsesOwnFrontEnd())
+	Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing);
+	for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
 	{
-		Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing);
-		for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
-		{
-			Result.Text += "#line 1 \"/Engine/Generated/UniformBuffers/" + Buffer.Name + ".ush\"\n" + Buffer.Declaration;
-		}
-		Result.Text += "\n" + Printing;
-		return std::move(Result);
+		Result.Text += "#line 1 \"/Engine/Generated/UniformBuffers/" + Buffer.Name + ".ush\"\n" + Buffer.Declaration;
 	}
-	Result.Text = RewriteHlsl("#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing) +
-								  DeclareUniformBuffers(RewriteLoads(RewriteEnums(Printing)), Request.UniformBuffers),
-		Request.VirtualPath, Preprocessor.GetErrors(), HasRealHalf(Request));
-	if (!Preprocessor.GetErrors().empty())
-	{
-		throw FError(std::move(Preprocessor.GetErrors()), ExitUsage);
-	}
+	Result.Text += "\n" + Printing;
 	if (std::optional<FDiagnostic> LeftOut = FindLeftOutEntry(Result.Text, Request))
 	{
 		throw FError(*LeftOut, ExitUsage);

@@ -24,7 +24,7 @@ void ThrowFrontEndErrors(std::vector<FDiagnostic> Errors)
 
 } // namespace
 
-std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request)
+FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request)
 {
 	std::vector<FDiagnostic> Errors;
 	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
@@ -42,13 +42,18 @@ std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileReque
 	{
 		Options.UniformBuffers.emplace_back(Buffer.Name, Buffer.Members);
 	}
-	const FAnalysis Analysis = Analyse(Tree, Options);
-	ThrowFrontEndErrors(Analysis.Errors);
+	FAnalysis Analysis = Analyse(Tree, Options);
+	ThrowFrontEndErrors(std::move(Analysis.Errors));
+	return Analysis;
+}
 
+std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request)
+{
+	const FAnalysis Analysis = Read(Text, Request);
 	const FEmission Emission = Emit(*Analysis.Program);
 	if (!Emission.Error.empty())
 	{
-		throw FError({MakeError(Tree.Files, Emission.Place, Emission.Error)}, ExitUsage);
+		throw FError({MakeError(Analysis.Program->Files, Emission.Place, Emission.Error)}, ExitUsage);
 	}
 	if (Request.bKeepFunctions)
 	{

@@ -7,6 +7,9 @@
 namespace Drydock::Hlsl
 {
 
+/** Reads and analyses a text as Compile does, for those who look at the program. Throws FError as Compile. */
+DRYDOCK_API FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request);
+
 /** Text: preprocessed, with `#line`, nothing rewritten, the declarations of uniform buffers before it. Throws FError DD6010
  * and DD6011 with all that was found. */
 DRYDOCK_API std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request);

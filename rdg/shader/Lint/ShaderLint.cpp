@@ -2,12 +2,13 @@
 #include "ShaderLint.h"
 
 #include "EngineNames.h"
-#include "HlslSymbols.h"
+#include "HlslFrontEnd.h"
 #include "HlslTokens.h"
 #include "LeftOutStages.h"
 #include "LintAllowances.h"
 #include "SpirvBarriers.h"
 #include "LintLayout.h"
+#include "LintProgram.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
@@ -88,47 +89,12 @@ void FLinter::LookAtText(const std::string& Source)
 	{
 		Add("not-in-engine", Each.File, Each.Line, Each.What);
 	}
-	std::multimap<std::string, FFunctionText> Functions;
-	for (const FFunctionText& Function : ListFunctionTexts(Text))
+	const Hlsl::FAnalysis Read = Hlsl::Read(Source, Request);
+	for (const FProgramFinding& Each : LookAtProgram(*Read.Program))
 	{
-		Functions.emplace(Text[Function.Name].Text, Function);
-	}
-	static const std::set<std::string> Derivatives = {
-		"ddx", "ddy", "ddx_coarse", "ddy_coarse", "ddx_fine", "ddy_fine", "fwidth"};
-	static const std::set<std::string> Samples = {"Sample", "SampleBias", "SampleCmp", "CalculateLevelOfDetail"};
-	std::vector<std::string> Open = {Request.EntryPoint};
-	std::set<std::string> Seen = {Request.EntryPoint};
-	while (!Open.empty())
-	{
-		const auto [First, Last] = Functions.equal_range(Open.back());
-		Open.pop_back();
-		for (auto Each = First; Each != Last; ++Each)
-		{
-			for (size_t At = Each->second.Body; At < Text.FindClose(Each->second.Body); ++At)
-			{
-				const std::string& Word = Text[At].Text;
-				if (!Text.IsWord(At))
-				{
-					continue;
-				}
-				if (Functions.count(Word) && Seen.insert(Word).second)
-				{
-					Open.push_back(Word);
-				}
-				const std::string& File = Text.Files[Text[At].File];
-				const int Line = Text[At].Line;
-				const bool bMember = Text.Is(At - 1, ".");
-				if (Word == GPartOfTexel && PartialStores.insert({File, Line}).second)
-				{
-					Add("partial-uav-store", File, Line, "");
-				}
-				if (Request.Stage == EShaderStage::Compute && Text.Is(At + 1, "(") &&
-					(bMember ? Samples.count(Word) : Derivatives.count(Word) && !Functions.count(Word)))
-				{
-					Add("derivative-compute", File, Line, Word);
-				}
-			}
-		}
+		const std::string& File = Read.Program->Files[Each.Place.File];
+		Add(Each.Rule, File, Each.Place.Line, std::string(Each.What));
+		PartialStores.insert({File, Each.Rule == std::string_view("partial-uav-store") ? Each.Place.Line : 0});
 	}
 }
 

@@ -36,19 +36,6 @@ struct DRYDOCK_API FHlslText
 	/** The token that closes the (, [ or { at Open, or Tokens.size(); any other token closes itself. */
 	size_t FindClose(size_t Open) const { return Open < Closes.size() ? Closes[Open] : Tokens.size(); }
 
-	/** Behind the > that closes the < at Open, where what lies between can be a list of types and numbers; else 0. A >>
-	 * closes two. */
-	size_t FindListEnd(size_t Open) const;
-
-	/** Behind the statement that begins at At, with its attributes, its body and its else. */
-	size_t FindStatementEnd(size_t At) const { return FindStatementEnd(At, 0); }
-
-	/** The first token of the declaration at file scope whose braces At is in; Size() where it is in none. */
-	size_t FindDeclaration(size_t At) const;
-
-	/** The tokens [First, End) in one line. */
-	std::string GetText(size_t First, size_t End) const;
-
 	const FHlslToken& operator[](size_t At) const { return Tokens[At]; }
 	size_t Size() const { return Tokens.size(); }
 	bool Is(size_t At, const char* Sign) const { return At < Tokens.size() && Tokens[At].Is(Sign); }
@@ -61,41 +48,7 @@ struct DRYDOCK_API FHlslText
 	std::vector<std::string> Files; // virtual paths
 
 private:
-	size_t FindStatementEnd(size_t At, int Depth) const;
-
 	std::vector<size_t> Closes; // of each token
 };
-
-/** Changes of a text, collected while it is read and made together. */
-class DRYDOCK_API FHlslEdits
-{
-public:
-	/** Words in place of the tokens [First, End), before First where there are none. Those at one place keep their
-	 * order. */
-	void Replace(size_t First, size_t End, const std::string& Words);
-	void Insert(size_t Before, const std::string& Words) { Replace(Before, Before, Words); }
-	void Move(size_t Before, FHlslTokens Moved);
-
-	/** Behind the last token that is replaced: what begins before it waits for another round. */
-	size_t GetEnd() const { return LastEnd; }
-	bool IsEmpty() const { return Edits.empty(); }
-	void Apply(FHlslText& Text);
-	/** The same, with these declarations before the text; whether anything changed. */
-	bool Apply(FHlslText& Text, const std::map<std::string, std::string>& Before);
-
-private:
-	struct FEdit
-	{
-		size_t First = 0;
-		size_t End = 0;
-		std::string Words;
-		FHlslTokens Moved;
-	};
-	std::vector<FEdit> Edits;
-	size_t LastEnd = 0;
-};
-
-/** Words as tokens that stand where Place does. */
-DRYDOCK_API FHlslTokens MakeHlslTokens(const std::string& Words, const FHlslToken& Place);
 
 } // namespace Drydock

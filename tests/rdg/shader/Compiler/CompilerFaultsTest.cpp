@@ -5,13 +5,11 @@
 
 #include "CacheTestUtils.h"
 #include "ChildProcess.h"
-#include "FrontEndCrash.h"
 #include "TemporaryFolder.h"
 #include "ToolFault.h"
 
 #include <chrono>
 #include <csignal>
-#include <random>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
@@ -37,10 +35,10 @@ protected:
 		return RunCacheShader("31");
 	}
 
-	/** The same with the front end. */
+	/** The same with a compiler of HLSL. */
 	FShaderRun RunWithFrontEnd(const std::string& Script, const std::string& Comment = "") const
 	{
-		const FScopedVariable FrontEnd("DRYDOCK_GLSLANG", Scratch.AddScript("frontend", Script));
+		const FScopedVariable FrontEnd("DRYDOCK_HLSL_COMPILER", Scratch.AddScript("dxc", Script));
 		return RunCacheShader("31", Comment);
 	}
 
@@ -260,113 +258,33 @@ TEST_F(FCompilerFaults, AFullDiskIsNamedAndLeavesNothingHalf)
 
 TEST_F(FCompilerFaults, ASpirvFileThatIsCutShortOnAFullDiskIsNoFaultOfTheShader)
 {
-	const FShaderRun Run = RunWithFileLimit(400, ""); // less than any SPIR-V, more than the text
+	const FScopedVariable Compiler("DRYDOCK_HLSL_COMPILER",
+		Scratch.AddScript("dxc", "while [ \"$1\" != -Fo ]; do shift; done; head -c 4000 /dev/zero >\"$2\"; exit 0"));
+	const FShaderRun Run = RunWithFileLimit(1000, ""); // less than the module, more than the text
 	EXPECT_EQ(ExitFiles, Run.ExitCode);
 	EXPECT_THAT(
 		Run.Error, AllOf(StartsWith(Temporary.Path.string()), HasSubstr("DD5004"), HasSubstr("File too large")));
 }
 
-TEST_F(FCompilerFaults, ACrashOfTheFrontEndNamesTheLine)
+TEST_F(FCompilerFaults, TheWordsOfACompilerThatFailsAreShown)
 {
-	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; grep -q BOOM \"$Input\" && kill -SEGV $$; exit 1",
-		"//\n//\nstatic const int BOOM = 1;\n//");
+	const FShaderRun Run = RunWithFrontEnd("echo \"invalid source type 'hlsl'\"; exit 3");
 	EXPECT_EQ(ExitUsage, Run.ExitCode);
-	EXPECT_EQ(
-		"/Test/Shader.usf:3: error: glslangValidator was ended by signal 11 on 'Main' when it had read up to this "
-		"line [DD6012]\n  3 | static const int BOOM = 1;\n    | ^",
-		Run.Error);
+	EXPECT_THAT(Run.Error, HasSubstr("dxc ended with exit code 3 on 'Main'; its words:\ninvalid source type 'hlsl'"));
 }
 
-TEST_F(FCompilerFaults, AMessageOfTheFrontEndWithoutALineGetsOne)
+TEST_F(FCompilerFaults, ACrashOfACompilerOfHlslIsNamed)
 {
-	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; grep -q BOOM \"$Input\" && "
-										   "echo \"ERROR: 0:0: 'constructor' : can't convert\"; exit 2",
-		"//\n//\nstatic const int BOOM = 1;\n//");
+	const FShaderRun Run = RunWithFrontEnd("kill -SEGV $$");
 	EXPECT_EQ(ExitUsage, Run.ExitCode);
-	EXPECT_THAT(Run.Error, StartsWith("/Test/Shader.usf:3: error: 'constructor' : can't convert [DD6010]"));
+	EXPECT_THAT(Run.Error, HasSubstr("dxc was ended by signal 11 on 'Main' and wrote nothing"));
 }
 
-TEST_F(FCompilerFaults, ACrashBehindTheLastLineNamesTheEntryPoint)
-{
-	const FShaderRun Run = RunWithFrontEnd("for Input; do :; done; [ \"$(tail -n 1 \"$Input\")\" = '}' ] && "
-										   "grep -q Main \"$Input\" && kill -ABRT $$; exit 1",
-		"//");
-	EXPECT_EQ(ExitUsage, Run.ExitCode);
-	EXPECT_EQ("/Test/Shader.usf:3: error: glslangValidator was ended by signal 6 on 'Main' when it had read all of it "
-			  "[DD6012]\n  3 | [numthreads(8, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
-			  "    |                            ^",
-		Run.Error);
-}
-
-TEST_F(FCompilerFaults, AFrontEndThatAlwaysCrashesIsSaidToBeBroken)
-{
-	EXPECT_THAT(RunWithFrontEnd("kill -SEGV $$").Error, HasSubstr("it is broken itself"));
-}
-
-TEST_F(FCompilerFaults, AFrontEndThatWasKilledIsNoFaultOfTheShader)
+TEST_F(FCompilerFaults, ACompilerOfHlslThatWasKilledIsNoFaultOfTheShader)
 {
 	const FShaderRun Run = RunWithFrontEnd("kill -KILL $$");
 	EXPECT_EQ(ExitFiles, Run.ExitCode);
-	EXPECT_THAT(Run.Error, HasSubstr("DD6032: glslangValidator was killed by signal 9 (out of memory?) on 'Main'"));
-}
-
-TEST(FrontEndCrash, IsFoundInAnyLineOfAnyFile)
-{
-	std::mt19937 Random(20); // any seed will do
-	FShaderCompileRequest Request;
-	Request.VirtualPath = "/Test/Whole.usf";
-	Request.EntryPoint = "Main";
-	for (int Round = 0; Round < 200; ++Round)
-	{
-		const int NumLines = 2 + int(Random() % 60);
-		const int Wanted = int(Random() % unsigned(NumLines - 1)); // and never the last, which cannot be told from all
-		std::string Text;
-		std::string File = Request.VirtualPath;
-		int Number = 1;
-		std::string WantedFile;
-		int WantedNumber = 0;
-		for (int Line = 0; Line < NumLines; ++Line)
-		{
-			const bool bMark = Line != Wanted && Random() % 4 == 0;
-			if (Line == Wanted)
-			{
-				WantedFile = File;
-				WantedNumber = Number;
-			}
-			if (bMark)
-			{
-				File = "/Test/File" + std::to_string(Random() % 3) + ".ush";
-				Number = int(Random() % 1000) + 1;
-				Text += "#line " + std::to_string(Number) + " \"" + File + "\"\n";
-			}
-			else
-			{
-				Text += Line == Wanted ? "BOOM\n" : "float x;\n";
-				++Number;
-			}
-		}
-		int NumCalls = 0;
-		const FCrashPlace Place = FindCrashPlace(Text, Request,
-			[&NumCalls](const std::string& Part)
-			{
-				++NumCalls;
-				return Part.find("BOOM") != std::string::npos;
-			});
-		EXPECT_EQ(WantedFile, Place.File);
-		EXPECT_EQ(WantedNumber, Place.Line);
-		EXPECT_LE(NumCalls, 8); // log2(62), and one
-	}
-}
-
-TEST(FrontEndCrash, EntryPointIsTheWholeWord)
-{
-	FShaderCompileRequest Request;
-	Request.VirtualPath = "/Test/Whole.usf";
-	Request.EntryPoint = "Main";
-	const std::string Text = "float MyMain(float x);\nvoid Main (uint3 Id)\n{\n\tfloat Main2(1);\n\tMain;\n}\n";
-	const FCrashPlace Place = FindCrashPlace(Text, Request, [&Text](const std::string& Part) { return Part == Text; });
-	EXPECT_EQ(2, Place.Line);
-	EXPECT_EQ("/Test/Whole.usf", Place.File);
+	EXPECT_THAT(Run.Error, HasSubstr("DD6032: dxc was killed by signal 9 (out of memory?) on 'Main'"));
 }
 
 TEST(ToolFault, IsNoneWhereTheToolFoundAFault)

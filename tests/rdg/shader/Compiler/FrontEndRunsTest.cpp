@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "CacheTestUtils.h"
-#include "FrontEndProcess.h"
 #include "ShaderCompiler.h"
-
-#include <algorithm>
+#include "ShaderFrontEnd.h"
 
 namespace
 {
@@ -18,13 +16,6 @@ class FFrontEndRuns : public testing::Test
 {
 protected:
 	FFrontEndRuns() { ForgetCompiledShaders(); }
-
-	/** Runs of the front end so far. */
-	int64_t Count() const
-	{
-		const std::string Log = ReadBytes(Scratch.Path / "runs");
-		return std::count(Log.begin(), Log.end(), '\n');
-	}
 
 	static FShaderCompileRequest MakeRequest(const std::string& Text)
 	{
@@ -52,45 +43,18 @@ protected:
 
 	const FScratchFolder Scratch;
 	const FScopedVariable Cache{"DRYDOCK_CACHE_DIR", (Scratch.Path / "cache").string()};
-	const FScopedVariable FrontEnd{
-		"DRYDOCK_GLSLANG", Scratch.AddScript("frontend",
-							   "echo run >> " + (Scratch.Path / "runs").string() + "\nexec glslangValidator \"$@\"")};
 };
 
 } // namespace
 
 TEST_F(FFrontEndRuns, OnceForReflectionAndKernelsOfAnEdit)
 {
+	const int64_t Before = GetNumCompiledTexts();
 	for (int Edit = 1; Edit <= 3; ++Edit)
 	{
 		AskForAll(Edit);
-		EXPECT_EQ(Edit, Count());
+		EXPECT_EQ(Edit, GetNumCompiledTexts() - Before);
 	}
-}
-
-TEST_F(FFrontEndRuns, OncePerProgramBecauseEachMayRoundOtherwise)
-{
-	AskForAll(0);
-	EXPECT_EQ(1, Count());
-	const FScopedVariable Other(
-		"DRYDOCK_GLSLANG", Scratch.AddScript("other",
-							   "echo run >> " + (Scratch.Path / "runs").string() + "\nexec glslangValidator \"$@\""));
-	AskForAll(0);
-	EXPECT_EQ(2, Count());
-}
-
-TEST_F(FFrontEndRuns, OnceInTheOneProcessThatIsKept)
-{
-	const FScopedVariable Kept("DRYDOCK_GLSLANG", std::nullopt);
-	AskForAll(0);
-	const FFrontEndCounts Before = GetFrontEndCounts();
-	for (int Edit = 1; Edit <= 3; ++Edit)
-	{
-		AskForAll(Edit);
-		EXPECT_EQ(Edit, GetFrontEndCounts().Shaders - Before.Shaders);
-		EXPECT_EQ(0, GetFrontEndCounts().Processes - Before.Processes);
-	}
-	EXPECT_EQ(0, Count()); // nothing else is run
 }
 
 TEST_F(FFrontEndRuns, FilesAreReadOnceForReflectionAndKernelAndAnewWhereTheyAreNamed)

@@ -86,27 +86,6 @@ TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
 	EXPECT_EQ("", ErrorOf([&] { ReflectShader(Harness.Request); }));
 }
 
-TEST(ShaderErrors, SummaryLinesOfTheFrontEndAreNotShown)
-{
-	EXPECT_THAT(ErrorsOf("void Main() { int a = ; }\n"), Not(HasSubstr("compilation errors")));
-}
-
-TEST(ShaderErrors, MissingFrontEndIsNamed)
-{
-	setenv("DRYDOCK_GLSLANG", "/nonexistent/glslangValidator", 1);
-	const std::string Errors = ErrorsOf("// never seen by a cache 1\n[numthreads(1, 1, 1)] void Main() {}\n");
-	unsetenv("DRYDOCK_GLSLANG");
-	EXPECT_THAT(Errors, HasSubstr("there is no program '/nonexistent/glslangValidator', which DRYDOCK_GLSLANG names"));
-}
-
-TEST(ShaderErrors, CrashOfTheFrontEndIsAnError)
-{
-	setenv("DRYDOCK_GLSLANG", "/bin/false", 1);
-	const std::string Errors = ErrorsOf("// never seen by a cache 2\n[numthreads(1, 1, 1)] void Main() {}\n");
-	unsetenv("DRYDOCK_GLSLANG");
-	EXPECT_THAT(Errors, HasSubstr("glslangValidator ended with exit code 1"));
-}
-
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = ddx(float(Id.x));"),

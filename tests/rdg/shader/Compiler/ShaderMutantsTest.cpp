@@ -224,22 +224,22 @@ FMutantResult FinishJudge(const FJudge& Judgement)
 	return Result;
 }
 
-/** A front end of the text of a shell script, instead of glslangValidator, for the scope. */
+/** A compiler of HLSL that is a shell script, for the scope. */
 class FFakeFrontEnd
 {
 public:
 	explicit FFakeFrontEnd(const std::string& Script)
 	{
-		const std::string Path = Folder.Reserve("glslangValidator");
+		const std::string Path = Folder.Reserve("dxc");
 		std::ofstream(Path) << "#!/bin/sh\n" << Script << "\n";
 		std::filesystem::permissions(Path, std::filesystem::perms::owner_all);
-		setenv("DRYDOCK_GLSLANG", Path.c_str(), 1);
-		setenv("DRYDOCK_GLSLANG_SECONDS", "1", 1);
+		setenv("DRYDOCK_HLSL_COMPILER", Path.c_str(), 1);
+		setenv("DRYDOCK_HLSL_COMPILER_SECONDS", "1", 1);
 	}
 	~FFakeFrontEnd()
 	{
-		unsetenv("DRYDOCK_GLSLANG");
-		unsetenv("DRYDOCK_GLSLANG_SECONDS");
+		unsetenv("DRYDOCK_HLSL_COMPILER");
+		unsetenv("DRYDOCK_HLSL_COMPILER_SECONDS");
 	}
 
 private:
@@ -323,7 +323,7 @@ TEST(FrontEndFaults, CrashNamesTheSignal)
 {
 	int ExitCode = 0;
 	EXPECT_THAT(ErrorsBy("kill -SEGV $$", ExitCode),
-		testing::AllOf(HasSubstr("DD6012"), HasSubstr("glslangValidator was ended by signal 11 on 'Main'")));
+		testing::AllOf(HasSubstr("DD6012"), HasSubstr("dxc was ended by signal 11 on 'Main'")));
 	EXPECT_EQ(ExitUsage, ExitCode);
 }
 
@@ -338,7 +338,7 @@ TEST(FrontEndFaults, HangingIsEndedAndSaidToBe)
 {
 	int ExitCode = 0;
 	EXPECT_THAT(ErrorsBy("trap '' TERM; sleep 100", ExitCode),
-		testing::AllOf(HasSubstr("DD6012"), HasSubstr("glslangValidator took longer than 1 s on 'Main'")));
+		testing::AllOf(HasSubstr("DD6012"), HasSubstr("dxc took longer than 1 s on 'Main'")));
 	EXPECT_EQ(ExitUsage, ExitCode);
 }
 
@@ -352,8 +352,8 @@ TEST(FrontEndFaults, EndlessOutputIsEnded)
 TEST(FrontEndFaults, SuccessWithoutAModuleIsAMessage)
 {
 	for (const auto& [Script, Message] :
-		{std::pair("exit 0", "DD6012: glslangValidator has written nothing that can be read for 'Main': No such file"),
-			std::pair("while [ \"$1\" != -o ]; do shift; done; echo 'twenty bytes and no module' >\"$2\"",
+		{std::pair("exit 0", "DD6012: dxc has written nothing that can be read for 'Main': No such file"),
+			std::pair("while [ \"$1\" != -Fo ]; do shift; done; echo 'twenty bytes and no module' >\"$2\"",
 				"SPIR-V: not a module")})
 	{
 		const FFakeFrontEnd Fake(Script);

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "FrontEndProcess.h"
 #include "ShaderHarness.h"
 
 #include <cmath>
@@ -158,9 +157,9 @@ TEST(VertexShader, ComesFromTheCacheWithoutAFrontEnd)
 	Input.Attributes[0][1] = 2;
 	EXPECT_EQ(6, RunVertex(Request, Input).Position[1]);
 	ForgetCompiledShaders();
-	const int64_t Before = GetFrontEndCounts().Shaders;
+	const int64_t Before = GetNumCompiledTexts();
 	EXPECT_EQ(6, RunVertex(Request, Input).Position[1]);
-	EXPECT_EQ(Before, GetFrontEndCounts().Shaders);
+	EXPECT_EQ(Before, GetNumCompiledTexts());
 }
 
 TEST(VertexShader, WhatNobodyFeedsOrReadsIsRefusedByName)
