@@ -27,7 +27,6 @@ PATTERNS = [
 MOST_WORDS = 25
 SHORT_PAGES = ("README.md", "docs/concepts.md", "CONTRIBUTING.md")
 SHORT_TEXTS = ("pipeline/", "settings/", "passes/", "rdg/")
-LONG_TEXTS = "rdg/shader/Glslang/"  # texts in quotes that become HLSL
 TREES = ["docs", "configs", "rdg", "settings", "passes", "pipeline", "cmake", "dev", "report/src", "templates",
          "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 
@@ -94,7 +93,7 @@ def findings(source, name):
         heads = list(comments(text, "(?!)" if is_c else r"#(?!!)"))
         texts = list(texts_in_quotes(text))
         chunks = heads + texts
-        short = texts if name.startswith(SHORT_TEXTS) and not name.startswith(LONG_TEXTS) else []
+        short = texts if name.startswith(SHORT_TEXTS) else []
         if name.endswith(".h") and heads:
             short = [re.split(r"[.!?]\s", heads[0])[0], *short]
     for chunk in short:

@@ -25,7 +25,7 @@ const std::map<std::string, FSteps> GRooms = {
 		{{"core/Core"}, {"core/Kernel"}, {"core/RHI"}, {"graph/Shader"}, {"graph/Graph"}, {"graph/Binding"},
 			{"graph/GraphUtils"}, {"shader/Host"}, {"shader/Lanes"}, {"shader/Spirv/Module"}, {"shader/Spirv/Analyse"},
 			{"shader/Spirv/Read"}, {"shader/Spirv/Emit", "shader/Spirv/Run"}, {"shader/Preprocessor"},
-			{"shader/Glslang", "shader/Hlsl"}, {"shader/Compiler"}, {"shader/Lint"}, {"inspect"}, {"vulkan"}}},
+			{"shader/Hlsl"}, {"shader/Compiler"}, {"shader/Lint"}, {"inspect"}, {"vulkan"}}},
 	{"settings", {{"Table"}, {"Blend", "Text"}, {"Final"}}},
 	{"passes", {{"World"}, {"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"},
 				   {"Native"}, {"Overlay"}}},

@@ -1,4 +1,4 @@
-// Compiles a .usf entry point to a function that runs over tiles: flatten includes, glslang (HLSL to SPIR-V),
+// Compiles a .usf entry point to a function that runs over tiles: flatten includes, the front end (HLSL to SPIR-V),
 // reflection, SPIR-V to C++ over lanes, the system compiler, a content-hashed cache. A vertex shader stays SPIR-V.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace Drydock
  * message the front end gave, each as "X.usf:LINE: error: ...". */
 DRYDOCK_API std::shared_ptr<const FCompiledShader> CompileShader(const FShaderCompileRequest& Request);
 
-/** Front end only: flatten, glslang and reflection, no C++ compiler. For graphs that are compiled but not run. */
+/** Front end only: flatten, HLSL and reflection, no C++ compiler. For graphs that are compiled but not run. */
 DRYDOCK_API FShaderReflection ReflectShader(const FShaderCompileRequest& Request);
 
 /** Names the text of a shader: the file and all that it includes, before macros are replaced, with the files' virtual

@@ -1,4 +1,4 @@
-// What the program of a shader's entry shows and its module no longer does.
+// Finds in the program of a shader's entry what its module no longer shows.
 #pragma once
 
 #include "HlslProgram.h"
