@@ -6,6 +6,7 @@
 #include "HlslFrontEnd.h"
 #include "ShaderCompilation.h"
 #include "ShaderSource.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -104,7 +105,8 @@ std::string WriteForGlslang(const FSubject& Subject)
 		for (size_t At = Text.find(Name + std::string("(")); At != std::string::npos;
 			 At = Text.find(Name + std::string("("), At + 1))
 		{
-			Text[At] = char(Text[At] - 'a' + 'A');
+			const bool bWord = At == 0 || !IsWordCharacter(Text[At - 1]);
+			Text[At] = bWord ? char(Text[At] - 'a' + 'A') : Text[At];
 		}
 	}
 	std::string Functions;
@@ -149,6 +151,7 @@ void CompileByGlslang(const std::string& Text, const FShaderCompileRequest& Requ
 	spv::SpvBuildLogger Logger;
 	glslang::SpvOptions Options;
 	Options.generateDebugInfo = true;
+	Options.disableOptimizer = false;
 	glslang::GlslangToSpv(*Program.getIntermediate(Stage), Words, &Logger, &Options);
 }
 #endif

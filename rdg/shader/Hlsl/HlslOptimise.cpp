@@ -1,5 +1,5 @@
-// Inlines calls and makes values of variables, by SPIRV-Tools. Its passes are those that glslang registers for HLSL;
-// what it would compute by rules of its own is hidden from it.
+// Inlines calls and makes values of variables, by SPIRV-Tools. Arithmetic that SPIRV-Tools would compute by rules of its
+// own is hidden from it.
 #include "HlslEmitter.h"
 
 #include "HlslModule.h"
@@ -94,7 +94,6 @@ FWords ShowAgain(const FWords& Words)
 void RegisterOptimiserPasses(spvtools::Optimizer& Optimizer)
 {
 	Optimizer.RegisterPass(spvtools::CreateWrapOpKillPass())
-		.RegisterPass(spvtools::CreateDeadBranchElimPass())
 		.RegisterPass(spvtools::CreateMergeReturnPass())
 		.RegisterPass(spvtools::CreateInlineExhaustivePass())
 		.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
@@ -105,8 +104,6 @@ void RegisterOptimiserPasses(spvtools::Optimizer& Optimizer)
 		.RegisterPass(spvtools::CreateSimplificationPass())
 		.RegisterPass(spvtools::CreateAggressiveDCEPass())
 		.RegisterPass(spvtools::CreateVectorDCEPass())
-		.RegisterPass(spvtools::CreateDeadInsertElimPass())
-		.RegisterPass(spvtools::CreateAggressiveDCEPass())
 		.RegisterPass(spvtools::CreateDeadBranchElimPass())
 		.RegisterPass(spvtools::CreateBlockMergePass())
 		.RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
@@ -114,8 +111,6 @@ void RegisterOptimiserPasses(spvtools::Optimizer& Optimizer)
 		.RegisterPass(spvtools::CreateSimplificationPass())
 		.RegisterPass(spvtools::CreateAggressiveDCEPass())
 		.RegisterPass(spvtools::CreateVectorDCEPass())
-		.RegisterPass(spvtools::CreateDeadInsertElimPass())
-		.RegisterPass(spvtools::CreateAggressiveDCEPass())
 		.RegisterPass(spvtools::CreateCFGCleanupPass());
 }
 
