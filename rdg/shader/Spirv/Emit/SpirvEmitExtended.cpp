@@ -65,7 +65,7 @@ void FSpirvEmitter::EmitLdexp(const FSpirvInstruction& I, ESpirvType Kind)
 		const std::string Text = Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
 														: "Ldexp(" + UseAs(Value, Kind, bVarying) + ", " +
 															  UseAs(Exponent, Int, bVarying) + ")";
-		Define(I.Result, i, {Text, Kind, bVarying, -1});
+		Define(I.Result, i, {WithDenormals(Kind, Text), Kind, bVarying, -1});
 	}
 }
 
@@ -76,7 +76,7 @@ void FSpirvEmitter::EmitModf(const FSpirvInstruction& I, ESpirvType Kind)
 	{
 		const FEmitScalar Value = Scalar(I.Operands[2], i);
 		const std::string Text = Use(Value);
-		Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Kind, Value.bVarying, -1});
+		Define(I.Result, i, {WithDenormals(Kind, Text + " - Trunc(" + Text + ")"), Kind, Value.bVarying, -1});
 		Whole.push_back({"Trunc(" + Text + ")", Kind, Value.bVarying, -1});
 	}
 	EmitStore(I.Operands[3], Whole, I);
@@ -111,7 +111,7 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 	const auto DefineComponents = [this, &I, &Temporary, Real, bVarying](const std::string& Expression)
 	{
 		const uint32_t Size = SizeOf(I.Result);
-		Line("const auto " + Temporary + " = " + Expression + ";");
+		Line("const auto " + Temporary + " = " + WithDenormals(Real, Expression) + ";");
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			Define(

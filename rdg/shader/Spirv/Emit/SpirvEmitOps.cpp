@@ -169,7 +169,7 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 				Text += *c;
 			}
 		}
-		Text = IsPerTurn(I, Index) ? PerTurn(I, Index, Text) : Text;
+		Text = IsPerTurn(I, Index) ? PerTurn(I, Index, Text) : WithDenormals(Kind, Text);
 		Define(I.Result, Index, {Text, ResultKind == Bool ? Bool : Kind, bVarying, -1});
 	}
 }

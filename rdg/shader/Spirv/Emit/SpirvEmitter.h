@@ -253,6 +253,11 @@ private:
 	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
 	std::string TypeName(ESpirvType Kind, bool bVarying) const;
 	/** Level of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */
+	/** The text of arithmetic on numbers of Kind, under the denormal mode of the kind. */
+	static std::string WithDenormals(ESpirvType Kind, const std::string& Text)
+	{
+		return Kind == ESpirvType::Double ? "KeepDenormals<Real>([&] { return " + Text + "; })" : Text;
+	}
 	EEmitLevel GetLevel() const { return bMovable ? OperandLevel : EEmitLevel::Pack; }
 	bool IsMovable(const FSpirvInstruction& I) const;
 	void Line(const std::string& Text);

@@ -11,9 +11,11 @@
 #include "SpirvRace.h"
 #include "SpirvReflect.h"
 #include "SpirvScalarMath.h"
+#include "TileExecutor.h"
 #include "VertexProgram.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace Drydock
 {
