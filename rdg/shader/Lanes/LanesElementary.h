@@ -270,7 +270,8 @@ TReal<float, N> Atan(TReal<float, N> X)
 	return CopySign(AtanPositive(Abs(X)), X);
 }
 
-/** The angle of (x, y) in -pi .. pi; 0 for the origin with x >= 0, the sign of y decides between pi and -pi. */
+/** The angle of (x, y) in -pi .. pi; 0 for the origin with x >= 0. Beside -x it is -pi for y < 0 only: D3D's compilers
+ * compare y with 0, where C looks at the sign of a zero. */
 template<int N>
 TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 {
@@ -287,7 +288,7 @@ TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 	Angle = Select(bSteep, FLanes(HalfPiHigh) - (Angle - FLanes(HalfPiLow)), Angle);
 	const TMask<N> bLeft(TRaw<int32_t, N>(X.V) < 0);
 	Angle = Select(bLeft && X == X, FLanes(2 * HalfPiHigh) - (Angle - FLanes(2 * HalfPiLow)), Angle);
-	return CopySign(Angle, Y);
+	return CopySign(Angle, Select(X < FLanes(0.0f), Y + FLanes(0.0f), Y));
 }
 
 /** asin(S) for 0 <= S <= 1/2, Z = S^2. */
@@ -390,7 +391,7 @@ inline TReal<double, N> Atan2(TReal<double, N> Y, TReal<double, N> X)
 {
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		Y.V[Lane] = __builtin_atan2(Y.V[Lane], X.V[Lane]);
+		Y.V[Lane] = __builtin_atan2(X.V[Lane] < 0 ? Y.V[Lane] + 0.0 : Y.V[Lane], X.V[Lane]);
 	}
 	return Y;
 }
