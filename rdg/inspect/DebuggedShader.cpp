@@ -144,7 +144,8 @@ FDebuggedThread FDebuggedShader::Run(const FKernelArgs& Args, const FKernelTile&
 			Result.Targets.resize(std::max<size_t>(Result.Targets.size(), Variable.Location + 1));
 			for (uint32_t k = 0; k < Program.Memory[i].Size; ++k)
 			{
-				Result.Targets[Variable.Location].push_back(Run.Thread.GetReal(Program.Memory[i].First + k));
+				Result.Targets[Variable.Location].push_back(
+					Run.Thread.GetNumber(Program.Memory[i].First + k, Module.GetScalarKind(Variable.Type, k)));
 			}
 		}
 	}

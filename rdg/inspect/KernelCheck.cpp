@@ -222,7 +222,8 @@ private:
 	void CheckTarget(const FSpirvThreadView& Thread, size_t Variable)
 	{
 		const FSpirvVariable& Output = Module.Variables[Variable];
-		if (Output.Location >= uint32_t(Args.NumTargets) || !LastStore)
+		if (Output.Location >= uint32_t(Args.NumTargets) || !LastStore ||
+			Module.GetScalarKind(Output.Type, 0) != ESpirvType::Float)
 		{
 			return;
 		}

@@ -334,7 +334,8 @@ FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32
 		Result.Targets.resize(std::max<size_t>(Result.Targets.size(), Variable.Location + 1));
 		for (uint32_t k = 0; k < Shader.GetProgram().Memory[i].Size; ++k)
 		{
-			Result.Targets[Variable.Location].push_back(Thread.GetReal(Shader.GetProgram().Memory[i].First + k));
+			Result.Targets[Variable.Location].push_back(
+				Thread.GetNumber(Shader.GetProgram().Memory[i].First + k, Module.GetScalarKind(Variable.Type, k)));
 		}
 	}
 	return Result;

@@ -162,6 +162,10 @@ void FVulkanShader::CheckDevice(const FShaderCompileRequest& Request) const
 		throw FVulkanError("its thread groups have at most " + std::to_string(Limits.maxComputeWorkGroupInvocations) +
 						   " threads, and the shader's have " + std::to_string(Size[0] * Size[1] * Size[2]));
 	}
+	if (Kernel.IntegerTargets)
+	{
+		throw FVulkanError("render targets of integers are not given to it");
+	}
 	if (uint32_t(Kernel.NumTargets) > Limits.maxColorAttachments)
 	{
 		throw FVulkanError("it has " + std::to_string(Limits.maxColorAttachments) + " render targets");

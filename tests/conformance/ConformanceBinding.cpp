@@ -44,6 +44,18 @@ ETexelStorage GetStorage(EFormat Format, uint32_t Channels)
 	return List[Channels - 1];
 }
 
+/** What is not used has no register. "A_2" is an element of A. */
+bool IsUsed(const FShaderReflection& Reflection, const std::string& Name)
+{
+	const auto IsIn = [&Name](const std::vector<FShaderResource>& List)
+	{
+		return std::any_of(List.begin(), List.end(),
+			[&Name](const FShaderResource& R) { return R.Name == Name || R.Name.starts_with(Name + "_"); });
+	};
+	return IsIn(Reflection.Textures) || IsIn(Reflection.Buffers) || IsIn(Reflection.RWTextures) ||
+		   IsIn(Reflection.RWBuffers);
+}
+
 } // namespace
 
 FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflection, const std::string& Text)
@@ -79,6 +91,7 @@ FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflect
 	{
 		RWBuffers.push_back(MakeBuffer(Resource));
 	}
+	CheckPushed(Reflection, Text);
 	Args = {ConstantPointers.data(), Textures.data(), RWTextures.data(), Samplers.data(), Buffers.data(),
 		RWBuffers.data(), nullptr, nullptr, 0, nullptr, nullptr};
 }
@@ -158,8 +171,10 @@ void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::stri
 		const auto IsTaken = [&, Class = Place.Class](int32_t Register)
 		{
 			return std::any_of(Places.begin(), Places.end(),
-				[&](const FPlace& Other)
-				{ return Other.Class == Class && Other.Space == 0 && Other.Register == Register; });
+				[&](const FPlace& Other) {
+					return Other.Class == Class && Other.Space == 0 && Other.Register == Register &&
+						   IsUsed(Reflection, Other.Name);
+				});
 		};
 		Place.Register = 0;
 		while (IsTaken(Place.Register))
@@ -291,13 +306,31 @@ FKernelBuffer FBinding::MakeBuffer(const FShaderResource& Resource)
 		bTyped ? GetStorage(Buffer.Format, Buffer.Channels) : ETexelStorage::R32_UINT};
 }
 
+bool FBinding::IsPushed(const std::string& Constants) const
+{
+	return !Pipeline.PushConstants.empty() &&
+		   std::any_of(Places.begin(), Places.end(),
+			   [&](const FPlace& Place) { return Place.bPush && (Place.Name == Constants || Constants == "$Global"); });
+}
+
+/** Vulkan lays arrays and matrices without gaps, and members where the text says. */
+void FBinding::CheckPushed(const FShaderReflection& Reflection, const std::string& Text) const
+{
+	for (const FShaderConstant& Constant : Reflection.Constants)
+	{
+		const bool bOthers =
+			Constant.NumElements > 0 || Constant.Rows > 1 || Text.find("vk::offset") != std::string::npos;
+		if (bOthers && IsPushed(Reflection.ConstantBuffers[Constant.Buffer].Name))
+		{
+			throw FNotRead("push constants that do not lie as Direct3D lays constants");
+		}
+	}
+}
+
 void FBinding::AddConstants(const FShaderConstantBuffer& Constants)
 {
-	const bool bPush = std::any_of(Places.begin(), Places.end(),
-		[&](const FPlace& Place)
-		{ return Place.bPush && (Place.Name == Constants.Name || Constants.Name == "$Global"); });
 	const FElement Element = FindBuffer(Constants.Name);
-	const bool bFromPush = bPush && !Pipeline.PushConstants.empty();
+	const bool bFromPush = IsPushed(Constants.Name);
 	if (!bFromPush && !Element.Buffer)
 	{
 		throw FNotRead("nothing is bound to '" + Constants.Name + "'");

@@ -53,6 +53,8 @@ private:
 	FMemory& GetMemory(const FElement& Element);
 	FKernelTexture MakeTexture(const FShaderResource& Resource);
 	FKernelBuffer MakeBuffer(const FShaderResource& Resource);
+	bool IsPushed(const std::string& Constants) const;
+	void CheckPushed(const FShaderReflection& Reflection, const std::string& Text) const;
 	void AddConstants(const FShaderConstantBuffer& Constants);
 	FKernelSampler MakeSampler(const FShaderResource& Resource) const;
 

@@ -126,7 +126,7 @@ std::string FindDifference(const FBuffer& Actual, const FBuffer& Expected, const
 	{
 		const std::vector<uint8_t>& Left = Actual.Members[m];
 		const std::vector<uint8_t>& Right = Expected.Members[m];
-		if (Left.size() != Right.size())
+		if (Result.bFirstOnly ? Left.size() < Right.size() : Left.size() != Right.size())
 		{
 			return Actual.Name + " has " + std::to_string(Left.size()) + " bytes, not " + std::to_string(Right.size());
 		}

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <regex>
 #include <sstream>
 
 namespace Drydock::Conformance
@@ -197,9 +198,9 @@ FPipeline ReadPipelineNode(const YAML::Node& Root)
 	{
 		throw FNotRead("a pipeline that is not one compute shader");
 	}
-	if (Root["Shaders"][0]["SpecializationConstants"])
+	for (const YAML::Node& Node : Root["Shaders"][0]["SpecializationConstants"])
 	{
-		throw FNotRead("specialization constants");
+		Pipeline.Specialized[GetText(Node, "ConstantID")] = GetText(Node, "Value");
 	}
 	Pipeline.Entry = GetText(Root["Shaders"][0], "Entry");
 	for (const YAML::Node& Node : Root["Buffers"])
@@ -305,56 +306,94 @@ const FSampler* FPipeline::FindSampler(const std::string& Name) const
 	return nullptr;
 }
 
-void AddChecks(const std::vector<std::string>& Lines, FPipeline& Pipeline)
+namespace
 {
-	std::istringstream Words;
+
+/** The words of the lines: brackets are words of their own, commas are none, and of a pattern its letters are left. */
+std::istringstream MakeCheckWords(const std::vector<std::string>& Lines)
+{
 	std::string Text;
 	for (const std::string& Line : Lines)
 	{
-		for (const char c : Line + " ")
+		for (const char c : std::regex_replace(Line, std::regex(R"(\{\{|\}\}|\.\*)"), "") + " ")
 		{
 			Text += c == '[' || c == ']' ? std::string(" ") + c + " " : std::string(1, c == ',' ? ' ' : c);
 		}
 	}
-	Words.str(Text);
-	std::string Name;
+	return std::istringstream(Text);
+}
+
+/** Adds a result whose expected values follow. */
+FBuffer& AddChecked(FPipeline& Pipeline, const std::string& Actual)
+{
+	const FBuffer* const Found = Pipeline.FindBuffer(Actual);
+	if (!Found)
+	{
+		throw FNotRead("a check of '" + Actual + "', which is no buffer");
+	}
+	FBuffer Empty = *Found;
+	Empty.Name = "Checked" + Actual + std::to_string(Pipeline.Buffers.size());
+	Empty.Members.clear();
+	FResult Result = {Actual, ERule::BufferExact, Actual, Empty.Name};
+	if (Empty.Format == EFormat::Float32)
+	{
+		Result.Rule = ERule::BufferFloatULP;
+		Result.Ulps = 42; // the suite's tool prints six digits: half of the last one's unit is 5e-6 of a number
+	}
+	Result.bFirstOnly = true;
+	Pipeline.Results.push_back(Result);
+	return Pipeline.Buffers.emplace_back(std::move(Empty));
+}
+
+} // namespace
+
+void AddChecks(const std::vector<std::string>& Lines, FPipeline& Pipeline)
+{
+	std::istringstream Words = MakeCheckWords(Lines);
+	std::string Name; // empty: the lists are of the buffers in their order
+	std::string Actual;
 	FBuffer* Expected = nullptr;
+	bool bList = false;
 	bool bCounters = false;
+	size_t NumLists = 0;
 	for (std::string Word; Words >> Word;)
 	{
 		if (Word == "Name:")
 		{
 			Words >> Name;
+			bList = false;
 		}
 		else if (Word == "Counter:" || Word == "Counters:" || Word == "Data:")
 		{
+			bList = true;
 			bCounters = Word != "Data:";
-			const std::string Actual = Name + (bCounters ? CounterSuffix : "");
-			const FBuffer* const Found = Pipeline.FindBuffer(Actual);
-			if (!Found)
-			{
-				throw FNotRead("a check of '" + Actual + "', which is no buffer");
-			}
-			FBuffer Empty = *Found;
-			Empty.Name = "Checked" + Actual;
-			Empty.Members.clear();
-			Pipeline.Results.push_back({Actual, ERule::BufferExact, Actual, Empty.Name});
-			Pipeline.Buffers.push_back(std::move(Empty));
-			Expected = &Pipeline.Buffers.back();
+			NumLists += bCounters ? 0 : 1;
+			Actual = !Name.empty() ? Name + (bCounters ? CounterSuffix : "") : Pipeline.Buffers.at(NumLists - 1).Name;
+			Expected = nullptr;
 		}
-		else if (Word == "[" && Expected && !bCounters)
+		else if (Word.ends_with(":"))
+		{
+			Words >> Word; // of the format, the stride ...
+			bList = false;
+		}
+		else if (bList && Word == "]" && Expected)
+		{
+			Pipeline.Results.back().bFirstOnly = false;
+		}
+		else if (bList && Word == "[" && Expected && !bCounters)
 		{
 			Expected->Members.emplace_back();
 		}
-		else if (Expected && Word != "[" && Word != "]" && Word != "-")
+		else if (bList && Word != "[" && Word != "]" && Word != "-")
 		{
+			if (!Expected)
+			{
+				Expected = &AddChecked(Pipeline, Actual);
+				Expected->Members.resize(bCounters ? 0 : 1);
+			}
 			if (bCounters)
 			{
 				Expected->Members.emplace_back(); // each of a member of its own
-			}
-			if (Expected->Members.empty())
-			{
-				throw FNotRead("a check of '" + Word + "'");
 			}
 			AppendValue(Expected->Members.back(), Expected->Format, Word);
 		}

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -89,6 +90,7 @@ struct FResult
 	uint32_t Ulps = 0;
 	double Epsilon = 0;
 	double ZeroTolerance = 0;
+	bool bFirstOnly = false; // what stands behind the expected values is not told
 };
 
 /** A call of the compiler. */
@@ -108,6 +110,7 @@ struct FPipeline
 	std::vector<FResult> Results;
 	std::array<int32_t, 3> GroupCount = {1, 1, 1};
 	std::vector<uint8_t> PushConstants;
+	std::map<std::string, std::string> Specialized; // values of constants, by their [[vk::constant_id]]
 
 	FBuffer* FindBuffer(const std::string& Name);
 	const FBuffer* FindBuffer(const std::string& Name) const;
@@ -137,8 +140,8 @@ FTest ReadTest(const std::string& Path);
 /** Reads a pipeline. Throws FNotRead. */
 FPipeline ReadPipeline(const std::string& Yaml);
 
-/** Adds results of a pipeline with counters, for which the suite has no rule: its lines for LLVM's FileCheck name the
- * values ("Name: Out", "Counter: 4", "Counters: [ 1, 2 ]", "Data: [ 0x3 ]"). Throws FNotRead. */
+/** Adds results of a pipeline whose expected values stand only in the lines for LLVM's FileCheck ("Name: Out",
+ * "Counter: 4", "Counters: [ 1, 2 ]", "Data: [ 0x3 ]"). Throws FNotRead. */
 void AddChecks(const std::vector<std::string>& Lines, FPipeline& Pipeline);
 
 } // namespace Drydock::Conformance

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
 namespace Drydock::Conformance
@@ -55,7 +56,7 @@ FParts Split(const std::string& Path)
 		{
 			Parts.RunLines.push_back(Line.substr(At + 4));
 		}
-		for (const std::string Check : {"CHECK:", "CHECK-NEXT:"})
+		for (const std::string Check : {"CHECK:", "CHECK-NEXT:", "CHECK-LABEL:"})
 		{
 			if (const size_t At = Line.find(Check); At != std::string::npos)
 			{
@@ -146,6 +147,19 @@ std::pair<std::string, FShaderSourceText> ReadCompilation(const FParts& Parts, c
 	return {Object, Shader};
 }
 
+/** Makes defines of Vulkan's specialization constants, which Direct3D does not have. */
+void DefineSpecialized(FRun& Run)
+{
+	static const std::regex Constant(R"(\[\[vk::constant_id\((\d+)\)\]\](\s*)const\s+(\w+)\s+(\w+)\s*=\s*([^;]+);)");
+	for (std::smatch Found; std::regex_search(Run.Shader.Text, Found, Constant);)
+	{
+		const auto Told = Run.Pipeline.Specialized.find(Found[1]);
+		const std::string Value = Told == Run.Pipeline.Specialized.end() ? Found[5].str() : Told->second;
+		Run.Shader.Defines.emplace_back(Found[4], "((" + Found[3].str() + ")" + Value + ")");
+		Run.Shader.Text = Found.prefix().str() + Found[2].str() + Found.suffix().str();
+	}
+}
+
 } // namespace
 
 FTest ReadTest(const std::string& Path)
@@ -195,7 +209,8 @@ FTest ReadTest(const std::string& Path)
 				Run.Shader = Found->second;
 			}
 		}
-		if (Run.Pipeline.HasCounters())
+		DefineSpecialized(Run);
+		if (Run.Pipeline.HasCounters() || Run.Pipeline.Results.empty())
 		{
 			AddChecks(Parts.CheckLines, Run.Pipeline);
 		}

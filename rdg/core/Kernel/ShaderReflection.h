@@ -101,6 +101,7 @@ struct FShaderReflection
 	std::vector<FShaderResource> Buffers;
 	std::vector<FShaderResource> RWBuffers;
 	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
+	uint32_t IntegerTargets = 0; // bit N: SV_TargetN is of integers
 	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD read; vertex: written
 	bool bUsesDiscard = false;
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h

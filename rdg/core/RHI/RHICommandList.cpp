@@ -379,8 +379,10 @@ void FRHICommandList::SetBlendFactor(const FLinearColor& BlendFactor)
 	checkf(BlendFactor == FLinearColor(1, 1, 1, 1), TEXT("blend factors other than white are not simulated"));
 }
 
-std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritten) const
+std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
 {
+	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
+	const int32 NumWritten = Reflection.NumTargets;
 	// Outputs without a target are dropped: a write mask of 0, and a texture without texels behind it.
 	static const Drydock::FKernelMip NoTexels{};
 	Drydock::FKernelTarget NoTarget{};
@@ -394,6 +396,18 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritte
 		{
 			continue;
 		}
+		const bool bIntegers = Reflection.IntegerTargets >> Index & 1;
+		const EPixelFormat Format = Entry.RenderTarget->GetFormat();
+		if (bIntegers != IsInteger(Format))
+		{
+			throw Drydock::FError(
+				Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Error, Drydock::ErrorTargetKind,
+					"pixel shader " + BoundPixel.Name + " writes " + (bIntegers ? "integers" : "floats") +
+						" to SV_Target" + std::to_string(Index) + ", which is " +
+						Entry.RenderTarget->GetName().ToString().ToStdString() + " of " + GetPixelFormatString(Format) +
+						(bIntegers ? "; give it a format of integers, or return float4" : "; return uint4")),
+				Drydock::ExitUsage);
+		}
 		Drydock::FKernelTarget& Target = Targets[Index];
 		Target.Texture = Entry.RenderTarget->GetKernelView(Entry.MipIndex, 1, std::max(0, Entry.ArraySlice));
 		FBlendStateInitializerRHI::FRenderTarget Blend;
@@ -402,7 +416,7 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets(int32 NumWritte
 			Blend = BlendState->GetTarget(Index);
 		}
 		Target.WriteMask = uint8(Blend.ColorWriteMask);
-		Target.bBlend = Blend.IsBlending();
+		Target.bBlend = Blend.IsBlending() && !bIntegers; // Direct3D: integers do not blend
 		Target.ColorOp = Drydock::EKernelBlendOp(Blend.ColorBlendOp);
 		Target.ColorSource = Drydock::EKernelBlendFactor(Blend.ColorSrcBlend);
 		Target.ColorDest = Drydock::EKernelBlendFactor(Blend.ColorDestBlend);
@@ -421,7 +435,7 @@ void FRHICommandList::DrawRect(
 		return;
 	}
 	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
-	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets(Reflection.NumTargets);
+	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets();
 	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
 	Args.Targets = Targets.data();
 	Args.NumTargets = int32(Targets.size());

@@ -204,7 +204,7 @@ private:
 	void DrawRect(const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances);
 	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
 	void CheckDraw() const;
-	std::vector<Drydock::FKernelTarget> MakeTargets(int32 NumWritten) const;
+	std::vector<Drydock::FKernelTarget> MakeTargets() const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;
 

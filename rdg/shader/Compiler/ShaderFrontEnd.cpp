@@ -101,13 +101,17 @@ std::vector<uint32_t> RunCompiler(
 
 std::vector<uint32_t> CompileToSpirv(const FShaderSource& Source, const FShaderCompileRequest& Request)
 {
+	const auto Ready = [&Request](std::vector<uint32_t> Words)
+	{
+		return Request.bKeepFunctions ? Words : InlineSpirvCalls(std::move(Words));
+	};
 	if (IsSpirvFile(Request.VirtualPath))
 	{
-		return GetSpirvWords(Source.Text);
+		return Ready(GetSpirvWords(Source.Text));
 	}
 	++GNumCompiledTexts;
 	const std::optional<FHlslCompiler> Compiler = FindHlslCompiler(Request);
-	return Compiler ? RunCompiler(*Compiler, Source.Text, Request) : Hlsl::Compile(Source.Text, Request);
+	return Compiler ? Ready(RunCompiler(*Compiler, Source.Text, Request)) : Hlsl::Compile(Source.Text, Request);
 }
 
 int64_t GetNumCompiledTexts()

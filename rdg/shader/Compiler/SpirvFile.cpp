@@ -5,9 +5,13 @@
 #include "Diagnostics.h"
 #include "SpirvOps.h"
 
+#include <spirv-tools/optimizer.hpp>
+
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <set>
 
 namespace Drydock
 {
@@ -223,6 +227,42 @@ std::vector<uint32_t> GetSpirvWords(const std::string& Text)
 	std::vector<uint32_t> Words(std::strtoul(Text.c_str(), nullptr, 10));
 	std::memcpy(Words.data(), Text.data() + Begin, Words.size() * sizeof(uint32_t));
 	return Words;
+}
+
+std::vector<uint32_t> InlineSpirvCalls(std::vector<uint32_t> Words)
+{
+	std::map<uint32_t, size_t> Sizes; // instructions of each function behind its first
+	std::set<uint32_t> Called;
+	uint32_t Current = 0;
+	for (size_t At = HeaderWords; At < Words.size() && Words[At] >> 16; At += Words[At] >> 16)
+	{
+		const uint32_t Op = Words[At] & 0xffff;
+		const bool bWhole = At + 3 < Words.size();
+		if (Op == OpFunction && bWhole)
+		{
+			Current = Words[At + 2];
+			Words[At + 3] = 0; // its wishes, "not inlined" among them
+			continue;
+		}
+		++Sizes[Current];
+		if (Op == OpFunctionCall && bWhole)
+		{
+			Called.insert(Words[At + 3]);
+		}
+	}
+	// A function that only discards, of a label and its end, stays.
+	if (std::ranges::none_of(Called, [&Sizes](uint32_t Function) { return Sizes[Function] > 3; }))
+	{
+		return Words;
+	}
+	spvtools::Optimizer Optimizer(SPV_ENV_UNIVERSAL_1_3);
+	Optimizer.SetMessageConsumer([](spv_message_level_t, const char*, const spv_position_t&, const char*) {});
+	Optimizer.RegisterPass(spvtools::CreateWrapOpKillPass())
+		.RegisterPass(spvtools::CreateMergeReturnPass())
+		.RegisterPass(spvtools::CreateInlineExhaustivePass())
+		.RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+	std::vector<uint32_t> Result;
+	return Optimizer.Run(Words.data(), Words.size(), &Result) ? Result : Words;
 }
 
 } // namespace Drydock

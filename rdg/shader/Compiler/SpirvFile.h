@@ -28,4 +28,8 @@ std::vector<std::pair<std::string, EShaderStage>> ListSpirvEntries(
 /** The words in such a text. */
 std::vector<uint32_t> GetSpirvWords(const std::string& Text);
 
+/** The module with its calls inlined by SPIRV-Tools, which computes nothing in it, those of functions that ask not to
+ * be inlined too. A module that its validator refuses stays as it is. */
+std::vector<uint32_t> InlineSpirvCalls(std::vector<uint32_t> Words);
+
 } // namespace Drydock

@@ -104,14 +104,14 @@ DRYDOCK_LANES_INLINE TInt<N> AddressTexels(TInt<N> X, int32_t Size, EKernelAddre
 	return X;
 }
 
-/** Array layer: nearest, clamped. NaN counts as 0. */
+/** Array layer: nearest, of two as near the even one, as D3D11.3 rounds; clamped. NaN counts as 0. */
 template<typename Real>
 DRYDOCK_LANES_INLINE int32_t SelectLayer(Real Layer, int32_t NumLayers)
 {
 	const Real Last = Real(NumLayers - 1);
 	Real L = Layer > 0 ? Layer : Real(0);
 	L = L < Last ? L : Last;
-	return int32_t(L + Real(0.5));
+	return int32_t(__builtin_rint(L));
 }
 
 } // namespace DRYDOCK_LANES_SET

@@ -234,11 +234,13 @@ TReal<float, N> Tan(TReal<float, N> X)
 	return Select(bOdd, -C, S) / Select(bOdd, S, C);
 }
 
-template<int N>
-DRYDOCK_LANES_INLINE TReal<float, N> CopySign(TReal<float, N> Magnitude, TReal<float, N> Sign)
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE TReal<Real, N> CopySign(TReal<Real, N> Magnitude, TReal<Real, N> Sign)
 {
-	using FInt = TRaw<int32_t, N>;
-	return TReal<float, N>(TRaw<float, N>((FInt(Magnitude.V) & 0x7FFFFFFF) | (FInt(Sign.V) & int32_t(0x80000000))));
+	using FBits = typename TReal<Real, N>::FBits;
+	using FBit = std::conditional_t<sizeof(Real) == 4, int32_t, int64_t>;
+	constexpr FBit SignBit = __builtin_bit_cast(FBit, -Real(0));
+	return TReal<Real, N>(TRaw<Real, N>((FBits(Magnitude.V) & ~SignBit) | (FBits(Sign.V) & SignBit)));
 }
 
 /** High + Low is the angle's constant to double the precision of float. */
@@ -268,7 +270,8 @@ TReal<float, N> Atan(TReal<float, N> X)
 	return CopySign(AtanPositive(Abs(X)), X);
 }
 
-/** The angle of (x, y) in -pi .. pi; 0 for the origin with x >= 0, the sign of y decides between pi and -pi. */
+/** The angle of (x, y) in -pi .. pi; 0 for the origin with x >= 0. Beside -x it is -pi for y < 0 only: D3D's compilers
+ * compare y with 0, where C looks at the sign of a zero. */
 template<int N>
 TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 {
@@ -285,7 +288,7 @@ TReal<float, N> Atan2(TReal<float, N> Y, TReal<float, N> X)
 	Angle = Select(bSteep, FLanes(HalfPiHigh) - (Angle - FLanes(HalfPiLow)), Angle);
 	const TMask<N> bLeft(TRaw<int32_t, N>(X.V) < 0);
 	Angle = Select(bLeft && X == X, FLanes(2 * HalfPiHigh) - (Angle - FLanes(2 * HalfPiLow)), Angle);
-	return CopySign(Angle, Y);
+	return CopySign(Angle, Select(X < FLanes(0.0f), Y + FLanes(0.0f), Y));
 }
 
 /** asin(S) for 0 <= S <= 1/2, Z = S^2. */
@@ -388,7 +391,7 @@ inline TReal<double, N> Atan2(TReal<double, N> Y, TReal<double, N> X)
 {
 	for (int Lane = 0; Lane < N; ++Lane)
 	{
-		Y.V[Lane] = __builtin_atan2(Y.V[Lane], X.V[Lane]);
+		Y.V[Lane] = __builtin_atan2(X.V[Lane] < 0 ? Y.V[Lane] + 0.0 : Y.V[Lane], X.V[Lane]);
 	}
 	return Y;
 }
@@ -409,6 +412,72 @@ DRYDOCK_LANES_UNARY(Sinh, Impl::Sinh(x))
 DRYDOCK_LANES_UNARY(Cosh, Impl::Cosh(x))
 DRYDOCK_LANES_UNARY(Tanh, Impl::Tanh(x))
 DRYDOCK_LANES_BINARY(Atan2, Impl::Atan2(x, y)) // y first, as in HLSL
+
+namespace Impl
+{
+
+/** log(1 + X). The logarithm of the rounded sum is off by as much as the sum is: Kahan, "Branch cuts" (1987). */
+template<CLanes T>
+T LogOfOneMore(T X)
+{
+	const T Sum = T(1) + X;
+	return Select(Sum == T(1), X, Log(Sum) * Select(X < T(0x1p60), X / (Sum - T(1)), T(1)));
+}
+/** Beyond these the square of the argument is all that counts. */
+template<CLanes T>
+T LogOfTwice(T X)
+{
+	return Log(X) + T(0.69314718055994531);
+}
+template<CLanes T>
+T Asinh(T X)
+{
+	const T A = Abs(X);
+	const T Near = LogOfOneMore(A + A * A / (T(1) + Sqrt(A * A + T(1))));
+	return CopySign(Select(A < T(0x1p30), Near, LogOfTwice(A)), X);
+}
+template<CLanes T>
+T Acosh(T X)
+{
+	const T A = X - T(1);
+	return Select(X < T(0x1p30) || X != X, LogOfOneMore(A + Sqrt(A * (A + T(2)))), LogOfTwice(X));
+}
+template<CLanes T>
+T Atanh(T X)
+{
+	const T A = Abs(X);
+	return CopySign(T(0.5) * LogOfOneMore((A + A) / (T(1) - A)), X);
+}
+
+} // namespace Impl
+
+DRYDOCK_LANES_UNARY(Asinh, Impl::Asinh(x))
+DRYDOCK_LANES_UNARY(Acosh, Impl::Acosh(x))
+DRYDOCK_LANES_UNARY(Atanh, Impl::Atanh(x))
+
+/** The fraction of x, of 0.5 to below 1, and the power of two that makes x of it. Of 0, and of what a float flushes,
+ * both are 0; infinities and NaN are their own fraction. */
+template<CUniform T>
+DRYDOCK_LANES_INLINE TVec<T, 2> Frexp(T X)
+{
+	const bool bFinite = X - X == T(0);
+	int Exponent = 0;
+	const T Fraction = T(__builtin_frexp(double(X), &Exponent));
+	const bool bNormal = bFinite && !(__builtin_fabs(double(X)) < 0x1p-126);
+	return bNormal ? TVec<T, 2>(Fraction, T(Exponent)) : TVec<T, 2>(bFinite ? X * T(0) : X, T(0));
+}
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE TVec<TReal<Real, N>, 2> Frexp(TReal<Real, N> X)
+{
+	TVec<TReal<Real, N>, 2> Result;
+	for (int Lane = 0; Lane < N; ++Lane)
+	{
+		const TVec<Real, 2> One = Frexp(Real(X.V[Lane]));
+		Result.E[0].V[Lane] = One.E[0];
+		Result.E[1].V[Lane] = One.E[1];
+	}
+	return Result;
+}
 
 } // namespace DRYDOCK_LANES_SET
 } // namespace Drydock::Lanes

@@ -163,15 +163,15 @@ DRYDOCK_LANES_INLINE TReal<Real, N> InterpolateQuads(
 }
 
 /** StoreTarget of a pack of quads whose first pixel is (X0, Y0). */
-template<typename Real, int N>
-DRYDOCK_LANES_INLINE void StoreTargetQuads(TMask<N> Mask, const FKernelTarget& Target, int32_t X0, int32_t Y0,
-	TReal<Real, N> Red, TReal<Real, N> Green, TReal<Real, N> Blue, TReal<Real, N> Alpha)
+template<typename Real, int N, typename T>
+DRYDOCK_LANES_INLINE void StoreTargetQuads(
+	TMask<N> Mask, const FKernelTarget& Target, int32_t X0, int32_t Y0, T Red, T Green, T Blue, T Alpha)
 {
 	const TMask<N> First = PackRow<N>() == TInt<N>(0);
-	StoreTarget<Real, N>(Mask & First, Target, X0, Y0, TColor<Real, N>(Red, Green, Blue, Alpha));
+	StoreTarget<Real, N>(Mask & First, Target, X0, Y0, TVec<T, 4>(Red, Green, Blue, Alpha));
 	// The second row's lanes come first for a store of its own.
 	StoreTarget<Real, N>(TakeCorner<GOwn, 1>(Mask) & First, Target, X0, Y0 + 1,
-		TColor<Real, N>(TakeCorner<GOwn, 1>(Red), TakeCorner<GOwn, 1>(Green), TakeCorner<GOwn, 1>(Blue),
+		TVec<T, 4>(TakeCorner<GOwn, 1>(Red), TakeCorner<GOwn, 1>(Green), TakeCorner<GOwn, 1>(Blue),
 			TakeCorner<GOwn, 1>(Alpha)));
 }
 

@@ -251,6 +251,23 @@ DRYDOCK_LANES_INLINE void StoreTarget(
 {
 	TSampling<Real, N>::StoreTarget(Target, LanesOf(Mask), X0, Y, LanesOf(Value.E[0]));
 }
+/** The same of integers, which do not blend. Channels that the write mask leaves out are written as they are. */
+template<typename Real, int N>
+DRYDOCK_LANES_INLINE void StoreTarget(
+	TMask<N> Mask, const FKernelTarget& Target, int32_t X0, int32_t Y, const TVec<TUint<N>, 4>& Value)
+{
+	const TVec<TInt<N>, 2> Place(LaneIndex<N>() + TInt<N>(X0), TInt<N>(Y));
+	TVec<TUint<N>, 4> Texel = Value;
+	if ((Target.WriteMask & 15) != 15)
+	{
+		Texel = Load2DUint<Real, N>(Target.Texture, Place, 0);
+		for (int c = 0; c < 4; ++c)
+		{
+			Texel.E[c] = Target.WriteMask >> c & 1 ? Value.E[c] : Texel.E[c];
+		}
+	}
+	StoreTexture2DUint<Real, N>(Mask, Target.Texture, Place, Texel);
+}
 
 /** Width and height of a mip of the view; 0 when there is no such mip. */
 DRYDOCK_LANES_INLINE TVec<int32_t, 2> TextureSize2D(const FKernelTexture& Texture, int32_t Mip = 0)

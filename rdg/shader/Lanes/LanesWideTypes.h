@@ -275,6 +275,22 @@ DRYDOCK_LANES_INLINE auto ConvertTo(From X)
 	return MapLanes<Impl::Stored<To>, N>([&](int Lane) { return Impl::ConvertScalar<To>(FScalar(X.V[Lane])); });
 }
 
+/** What f, arithmetic of doubles, gives with denormals, which Direct3D keeps in doubles: a kernel of floats flushes
+ * them. f takes its numbers by reference, and the empty statements may change them: so nothing of it moves past these.
+ */
+template<typename Real, typename F>
+DRYDOCK_LANES_INLINE auto KeepDenormals(const F& f)
+{
+	constexpr uint32_t FlushBits = sizeof(Real) == 4 ? 0x8040 : 0; // MXCSR: flush to zero, denormals are zero
+	const uint32_t Mode = __builtin_ia32_stmxcsr();
+	__builtin_ia32_ldmxcsr(Mode & ~FlushBits);
+	asm volatile("" : : "r"(&f) : "memory");
+	auto Result = f();
+	asm volatile("" : : "r"(&Result) : "memory");
+	__builtin_ia32_ldmxcsr(Mode);
+	return Result;
+}
+
 template<int N>
 DRYDOCK_LANES_INLINE TUlong<N> DoubleBits(TReal<double, N> X)
 {

@@ -12,6 +12,7 @@
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
+#include "SpirvFile.h"
 #include "SpirvReflect.h"
 #include "SpirvUniformity.h"
 
@@ -88,6 +89,10 @@ void FLinter::LookAtText(const std::string& Source)
 	for (const FNotInEngine& Each : FindNotInEngine(Text, Request))
 	{
 		Add("not-in-engine", Each.File, Each.Line, Each.What);
+	}
+	if (IsSpirvFile(Request.VirtualPath))
+	{
+		return;
 	}
 	const Hlsl::FAnalysis Read = Hlsl::Read(Source, Request);
 	for (const FProgramFinding& Each : LookAtProgram(*Read.Program))

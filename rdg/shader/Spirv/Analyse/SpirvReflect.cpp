@@ -186,14 +186,18 @@ void FReflector::AddOutput(const FSpirvVariable& Variable)
 {
 	const FSpirvType& Type = Module.GetType(Variable.Type);
 	const bool bTarget = Variable.Semantic.empty() || GetSemanticIndex(Variable.Semantic, "SV_TARGET") >= 0;
+	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
+	const bool bInteger = Kind == ESpirvType::Int || Kind == ESpirvType::Uint;
 	const bool bColor = bTarget && Variable.BuiltIn == BuiltInNone && Type.NumScalars <= 4 && Variable.Location < 8 &&
-						Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+						(bInteger || Kind == ESpirvType::Float);
 	if (!bColor)
 	{
-		Refuse(Variable, "pixel output '" + Variable.Name + "' (" + Variable.Semantic +
-							 ") is not supported on the CPU tier; outputs are float colours to SV_Target0..7");
+		Refuse(Variable,
+			"pixel output '" + Variable.Name + "' (" + Variable.Semantic +
+				") is not supported on the CPU tier; outputs are colours of float, int or uint to SV_Target0..7");
 	}
 	Result.Reflection.NumTargets = std::max(Result.Reflection.NumTargets, int32_t(Variable.Location) + 1);
+	Result.Reflection.IntegerTargets |= uint32_t(bInteger) << Variable.Location;
 }
 
 void FReflector::AddVertexInput(const FSpirvVariable& Variable)

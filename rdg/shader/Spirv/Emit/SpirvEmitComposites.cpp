@@ -150,7 +150,8 @@ void FSpirvEmitter::EmitSum(const FSpirvInstruction& I, uint32_t Index, const st
 		Text += std::string(Text.empty() ? "" : " + ") + Use(Term.A) + " * " + Use(Term.B);
 		bVarying = bVarying || Term.A.bVarying || Term.B.bVarying;
 	}
-	Define(I.Result, Index, {Text, Module.GetScalarKind(I.Type, 0), bVarying, -1});
+	const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
+	Define(I.Result, Index, {WithDenormals(Kind, Text), Kind, bVarying, -1});
 }
 
 bool FSpirvEmitter::EmitMatrix(const FSpirvInstruction& I)

@@ -65,21 +65,70 @@ void FSpirvEmitter::EmitLdexp(const FSpirvInstruction& I, ESpirvType Kind)
 		const std::string Text = Exponent.Kind == Float ? Use(Value) + " * Exp2(" + Use(Exponent) + ")"
 														: "Ldexp(" + UseAs(Value, Kind, bVarying) + ", " +
 															  UseAs(Exponent, Int, bVarying) + ")";
-		Define(I.Result, i, {Text, Kind, bVarying, -1});
+		Define(I.Result, i, {WithDenormals(Kind, Text), Kind, bVarying, -1});
+	}
+}
+
+/** Source: GLSL.std.450, whose round() is to the nearest even here. */
+void FSpirvEmitter::EmitNorms(const FSpirvInstruction& I, const FSpirvNorms& Norms, bool bVarying)
+{
+	const std::string One = "Real(" + Number(Norms.GetOne()) + ")";
+	const std::string Least = Norms.bSigned ? "Real(-1)" : "Real(0)";
+	std::string Packed;
+	OperandLevel = EEmitLevel::Tile;
+	for (uint32_t i = 0; i < Norms.Count; ++i)
+	{
+		const std::string Shift = Number(i * Norms.GetBits());
+		if (Norms.bPacks)
+		{
+			const std::string Code = "ToInt(RoundEven(Clamp(" + UseAs(Scalar(I.Operands[2], i), Float, bVarying) +
+									 ", " + Least + ", Real(1)) * " + One + "))";
+			const std::string Mask = Number(uint32_t((uint64_t(1) << Norms.GetBits()) - 1)) + "u";
+			Packed += (i ? " | " : "") + ("ShiftLeft(AsUint(" + Code + ") & " + Mask + ", " + Shift + ")");
+			continue;
+		}
+		const std::string Code = std::string("BitFieldExtract(") +
+								 UseAs(Scalar(I.Operands[2], 0), Norms.bSigned ? Int : Uint, bVarying) + ", " + Shift +
+								 "u, " + Number(Norms.GetBits()) + "u)";
+		Define(I.Result, i, {"Max(ToReal<Real>(" + Code + ") / " + One + ", " + Least + ")", Float, bVarying, -1});
+	}
+	if (Norms.bPacks)
+	{
+		Define(I.Result, 0, {Packed, Uint, bVarying, -1});
+	}
+}
+
+void FSpirvEmitter::EmitFrexp(const FSpirvInstruction& I, ESpirvType Kind)
+{
+	for (uint32_t i = 0; i < SizeOf(I.Operands[2]); ++i)
+	{
+		const FEmitScalar Value = Scalar(I.Operands[2], i);
+		const std::string Temporary = "w" + Number(I.Result) + "_" + Number(i);
+		Line("const auto " + Temporary + " = " + WithDenormals(Kind, "Frexp(" + Use(Value) + ")") + ";");
+		Define(I.Result, i, {Temporary + "[0]", Kind, Value.bVarying, -1});
+		Define(I.Result, SizeOf(I.Operands[2]) + i, {"ToInt(" + Temporary + "[1])", Int, Value.bVarying, -1});
 	}
 }
 
 void FSpirvEmitter::EmitModf(const FSpirvInstruction& I, ESpirvType Kind)
 {
 	std::vector<FEmitScalar> Whole;
-	for (uint32_t i = 0; i < SizeOf(I.Result); ++i)
+	const uint32_t Size = SizeOf(I.Operands[2]);
+	for (uint32_t i = 0; i < Size; ++i)
 	{
 		const FEmitScalar Value = Scalar(I.Operands[2], i);
 		const std::string Text = Use(Value);
-		Define(I.Result, i, {Text + " - Trunc(" + Text + ")", Kind, Value.bVarying, -1});
+		Define(I.Result, i, {WithDenormals(Kind, Text + " - Trunc(" + Text + ")"), Kind, Value.bVarying, -1});
 		Whole.push_back({"Trunc(" + Text + ")", Kind, Value.bVarying, -1});
 	}
-	EmitStore(I.Operands[3], Whole, I);
+	for (uint32_t i = 0; i < Size && I.Operands[1] == ExtModfStruct; ++i)
+	{
+		Define(I.Result, Size + i, Whole[i]);
+	}
+	if (I.Operands[1] == ExtModf)
+	{
+		EmitStore(I.Operands[3], Whole, I);
+	}
 }
 
 void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
@@ -111,7 +160,7 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 	const auto DefineComponents = [this, &I, &Temporary, Real, bVarying](const std::string& Expression)
 	{
 		const uint32_t Size = SizeOf(I.Result);
-		Line("const auto " + Temporary + " = " + Expression + ";");
+		Line("const auto " + Temporary + " = " + WithDenormals(Real, Expression) + ";");
 		for (uint32_t i = 0; i < Size; ++i)
 		{
 			Define(
@@ -119,6 +168,11 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 		}
 	};
 	const bool bScalar = SizeOf(I.Operands[2]) == 1;
+	if (const FSpirvNorms* const Norms = FindSpirvNorms(Ext))
+	{
+		EmitNorms(I, *Norms, bVarying);
+		return;
+	}
 	switch (Ext)
 	{
 	case ExtLength:
@@ -159,7 +213,11 @@ void FSpirvEmitter::EmitExtended(const FSpirvInstruction& I)
 	case ExtLdexp:
 		EmitLdexp(I, Real);
 		break;
+	case ExtFrexpStruct:
+		EmitFrexp(I, Real);
+		break;
 	case ExtModf:
+	case ExtModfStruct:
 		EmitModf(I, Real);
 		break;
 	default:

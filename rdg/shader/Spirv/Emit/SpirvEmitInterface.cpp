@@ -77,10 +77,14 @@ void FSpirvEmitter::EmitOutputs()
 			Module.Fail("shader output '" + Variable.Name + "' cannot be indexed at run time on the CPU tier");
 		}
 		std::string Value;
+		const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
+		const bool bInteger = Kind != Float;
 		for (uint32_t i = 0; i < 4; ++i)
 		{
 			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
-			Value += ", " + (bWritten ? "l" + Number(Variable.Id) + "_" + Number(i) : std::string("R(Real(0))"));
+			const FEmitScalar Part =
+				bWritten ? FEmitScalar{"l" + Number(Variable.Id) + "_" + Number(i), Kind, true, -1} : Literal(Kind, 0);
+			Value += ", " + UseAs(Part, bInteger ? Uint : Float, true);
 		}
 		const std::string Target = Number(Variable.Location);
 		if (Module.bQuads)
@@ -93,7 +97,7 @@ void FSpirvEmitter::EmitOutputs()
 			continue;
 		}
 		const std::string Whole = "h" + Target;
-		if (Declared.insert(Whole).second)
+		if (!bInteger && Declared.insert(Whole).second)
 		{
 			Handles += "\tconst EWholeTexels " + Whole + " = " + Target +
 					   " < Args.NumTargets ? GetWholeTexels<Real, N>(Args.Targets[" + Target +
@@ -101,7 +105,9 @@ void FSpirvEmitter::EmitOutputs()
 		}
 		Line("if (" + Target + " < Args.NumTargets)");
 		Line("{");
-		Line("\tStoreTarget<Real, N>(e, " + Whole + ", Args.Targets[" + Target + "], X0, Y" + Value + ");");
+		Line(bInteger ? "\tStoreTarget<Real, N>(e, Args.Targets[" + Target + "], X0, Y, TVec<TUint<N>, 4>(" +
+							Value.substr(2) + "));"
+					  : "\tStoreTarget<Real, N>(e, " + Whole + ", Args.Targets[" + Target + "], X0, Y" + Value + ");");
 		Line("\tCountLanesOf(Args, &FKernelCounters::Stores, e);");
 		Line("}");
 	}

@@ -48,7 +48,9 @@ constexpr FEmitPattern Operations[] = {
 	{OpFOrdGreaterThanEqual, "$0 >= $1", Float}, {OpFUnordGreaterThanEqual, "!($0 < $1)", Float},
 	{OpShiftRightLogical, "ShiftRight($0, $1)", Uint}, {OpShiftRightArithmetic, "ShiftRight($0, $1)", Int},
 	{OpShiftLeftLogical, "ShiftLeft($0, $1)", Any}, {OpBitwiseOr, "$0 | $1", Any}, {OpBitwiseXor, "$0 ^ $1", Any},
-	{OpBitwiseAnd, "$0 & $1", Any}, {OpNot, "~$0", Any}, {OpBitReverse, "BitReverse($0)", Uint}, {OpBitCount, "BitCount($0)", Uint},
+	{OpBitwiseAnd, "$0 & $1", Any}, {OpNot, "~$0", Any}, {OpBitFieldInsert, "BitFieldInsert($0, $1, $2, $3)", Any},
+	{OpBitFieldSExtract, "BitFieldExtract($0, $1, $2)", Int}, {OpBitFieldUExtract, "BitFieldExtract($0, $1, $2)", Uint},
+	{OpBitReverse, "BitReverse($0)", Uint}, {OpBitCount, "BitCount($0)", Uint},
 };
 
 constexpr FEmitPattern Extended[] = {
@@ -57,7 +59,8 @@ constexpr FEmitPattern Extended[] = {
 	{ExtFloor, "Floor($0)", Float}, {ExtCeil, "Ceil($0)", Float}, {ExtFract, "Frac($0)", Float},
 	{ExtRadians, "Radians($0)", Float}, {ExtDegrees, "Degrees($0)", Float}, {ExtSin, "Sin($0)", Float}, {ExtCos, "Cos($0)", Float},
 	{ExtTan, "Tan($0)", Float}, {ExtAsin, "Asin($0)", Float}, {ExtAcos, "Acos($0)", Float}, {ExtAtan, "Atan($0)", Float},
-	{ExtSinh, "Sinh($0)", Float}, {ExtCosh, "Cosh($0)", Float}, {ExtTanh, "Tanh($0)", Float}, {ExtAtan2, "Atan2($0, $1)", Float},
+	{ExtSinh, "Sinh($0)", Float}, {ExtCosh, "Cosh($0)", Float}, {ExtTanh, "Tanh($0)", Float},
+	{ExtAsinh, "Asinh($0)", Float}, {ExtAcosh, "Acosh($0)", Float}, {ExtAtanh, "Atanh($0)", Float}, {ExtAtan2, "Atan2($0, $1)", Float},
 	{ExtPow, "Pow($0, $1)", Float}, {ExtExp, "Exp($0)", Float}, {ExtLog, "Log($0)", Float}, {ExtExp2, "Exp2($0)", Float},
 	{ExtLog2, "Log2($0)", Float}, {ExtSqrt, "Sqrt($0)", Float}, {ExtInverseSqrt, "InverseSqrt($0)", Float},
 	{ExtFMin, "Min($0, $1)", Float}, {ExtNMin, "Min($0, $1)", Float}, {ExtUMin, "Min($0, $1)", Uint}, {ExtSMin, "Min($0, $1)", Int},
@@ -148,12 +151,18 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 	for (uint32_t Index = 0; Index < SizeOf(I.Result); ++Index)
 	{
 		const ESpirvType ResultKind = Module.GetScalarKind(I.Type, Index);
-		bool bVarying = false;
-		for (size_t k = FirstOperand; k < I.Operands.size(); ++k)
+		// The place of a bit field is one for all components.
+		const auto Operand = [this, &I, Index, FirstOperand](size_t k)
 		{
-			bVarying = bVarying || Scalar(I.Operands[k], Index).bVarying;
+			const uint32_t Id = I.Operands[FirstOperand + k];
+			return Scalar(Id, SizeOf(Id) == 1 ? 0 : Index);
+		};
+		bool bVarying = false;
+		for (size_t k = 0; k < I.Operands.size() - FirstOperand; ++k)
+		{
+			bVarying = bVarying || Operand(k).bVarying;
 		}
-		const ESpirvType Operands = Scalar(I.Operands[FirstOperand], Index).Kind;
+		const ESpirvType Operands = Operand(0).Kind;
 		const ESpirvType Kind = GetPatternKind(Pattern.Kind, Operands, ResultKind);
 		std::string Text;
 		OperandLevel = EEmitLevel::Tile;
@@ -161,15 +170,14 @@ void FSpirvEmitter::EmitPattern(const FSpirvInstruction& I, size_t FirstOperand,
 		{
 			if (*c == '$')
 			{
-				const FEmitScalar Operand = Scalar(I.Operands[FirstOperand + size_t(*++c - '0')], Index);
-				Text += UseAs(Operand, Kind, bFunction && bVarying);
+				Text += UseAs(Operand(size_t(*++c - '0')), Kind, bFunction && bVarying);
 			}
 			else
 			{
 				Text += *c;
 			}
 		}
-		Text = IsPerTurn(I, Index) ? PerTurn(I, Index, Text) : Text;
+		Text = IsPerTurn(I, Index) ? PerTurn(I, Index, Text) : WithDenormals(Kind, Text);
 		Define(I.Result, Index, {Text, ResultKind == Bool ? Bool : Kind, bVarying, -1});
 	}
 }
@@ -225,6 +233,28 @@ bool FSpirvEmitter::EmitComponentwise(const FSpirvInstruction& I)
 		return true;
 	case OpBitcast:
 		EmitBitcast(I);
+		return true;
+	case OpIAddCarry:
+	case OpISubBorrow:
+		for (uint32_t Index = 0; Index < SizeOf(I.Operands[0]); ++Index)
+		{
+			const FEmitScalar A = Scalar(I.Operands[0], Index);
+			const FEmitScalar B = Scalar(I.Operands[1], Index);
+			const ESpirvType Kind = Module.GetScalarKind(I.Type, Index);
+			const bool bVarying = A.bVarying || B.bVarying;
+			OperandLevel = EEmitLevel::Tile;
+			const std::string X = UseAs(A, Kind, bVarying);
+			const std::string Y = UseAs(B, Kind, bVarying);
+			const std::string Made = "(" + X + (I.Op == OpIAddCarry ? " + " : " - ") + Y + ")";
+			const std::string Over = I.Op == OpIAddCarry ? Made + " < " + X : X + " < " + Y;
+			const auto One = [&](int Value)
+			{
+				return UseAs(Literal(Kind, uint64_t(Value)), Kind, bVarying);
+			};
+			Define(I.Result, Index, {Made, Kind, bVarying, -1});
+			Define(I.Result, SizeOf(I.Operands[0]) + Index,
+				{"Select(" + Over + ", " + One(1) + ", " + One(0) + ")", Kind, bVarying, -1});
+		}
 		return true;
 	default:
 		return false;

@@ -60,7 +60,7 @@ bool FSpirvEmitter::EmitWaveArithmetic(const FSpirvInstruction& I)
 		const std::string Identity = bLong ? TypeName(Kind, false) + "(" + A->LongIdentity + ")" : A->Identity;
 		const std::string Head = std::string(bReduce ? "WaveReduce<" : "WavePrefix<") + A->Name + ">(e, ";
 		const std::string Rest = bReduce ? ")" : ", " + Identity + ")";
-		Define(I.Result, i, {Head + UseAs(Operand, Kind, true) + Rest, Kind, true, -1});
+		Define(I.Result, i, {WithDenormals(Kind, Head + UseAs(Operand, Kind, true) + Rest), Kind, true, -1});
 	}
 	return true;
 }

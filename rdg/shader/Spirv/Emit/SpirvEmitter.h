@@ -20,6 +20,7 @@
 
 #include "SpirvDependence.h"
 #include "SpirvEmit.h"
+#include "SpirvFlow.h"
 #include "SpirvPlace.h"
 #include "SpirvTurns.h"
 
@@ -171,6 +172,8 @@ private:
 	void EmitPacking(const FSpirvInstruction& I, bool bVarying);
 	void EmitLdexp(const FSpirvInstruction& I, ESpirvType Kind);
 	void EmitModf(const FSpirvInstruction& I, ESpirvType Kind);
+	void EmitFrexp(const FSpirvInstruction& I, ESpirvType Kind);
+	void EmitNorms(const FSpirvInstruction& I, const FSpirvNorms& Norms, bool bVarying);
 	/** Functions that have no pattern. */
 	void EmitExtended(const FSpirvInstruction& I);
 	void EmitPattern(const FSpirvInstruction& I, size_t FirstOperand, const struct FEmitPattern& Pattern);
@@ -250,6 +253,11 @@ private:
 	std::string UseAs(const FEmitScalar& S, ESpirvType Kind, bool bVarying);
 	void Define(uint32_t Value, uint32_t Index, const FEmitScalar& Expression);
 	FEmitScalar Literal(ESpirvType Kind, uint64_t Bits) const;
+	/** The text of arithmetic on numbers of Kind, under the denormal mode of the kind. */
+	static std::string WithDenormals(ESpirvType Kind, const std::string& Text)
+	{
+		return Kind == ESpirvType::Double ? "KeepDenormals<Real>([&] { return " + Text + "; })" : Text;
+	}
 	uint32_t SizeOf(uint32_t Value) const { return Module.GetValueType(Value).NumScalars; }
 	std::string TypeName(ESpirvType Kind, bool bVarying) const;
 	/** Level of the text that comes next: that of the latest operands, if the instruction can stand anywhere. */

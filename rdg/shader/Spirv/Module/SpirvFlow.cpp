@@ -1,6 +1,8 @@
 // Tells operations whose result comes from their operands alone, and those that work scalar by scalar.
 #include "SpirvFlow.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace Drydock
@@ -33,6 +35,16 @@ bool IsComponentwise(const FSpirvModule& Module, const FSpirvInstruction& I)
 		   std::all_of(I.Operands.begin() + (bExtended ? 2 : 0), I.Operands.end(),
 			   [&Module, Size](uint32_t Id)
 			   { return Module.ValueTypes.count(Id) && std::max(1u, Module.GetValueType(Id).NumScalars) == Size; });
+}
+
+const FSpirvNorms* FindSpirvNorms(uint32_t Ext)
+{
+	static constexpr FSpirvNorms Norms[] = {{ExtPackSnorm4x8, 4, true, true}, {ExtPackUnorm4x8, 4, false, true},
+		{ExtPackSnorm2x16, 2, true, true}, {ExtPackUnorm2x16, 2, false, true}, {ExtUnpackSnorm2x16, 2, true, false},
+		{ExtUnpackUnorm2x16, 2, false, false}, {ExtUnpackSnorm4x8, 4, true, false},
+		{ExtUnpackUnorm4x8, 4, false, false}};
+	const auto Found = std::ranges::find(Norms, Ext, &FSpirvNorms::Ext);
+	return Found == std::end(Norms) ? nullptr : Found;
 }
 
 } // namespace Drydock

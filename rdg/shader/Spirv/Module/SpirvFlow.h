@@ -102,4 +102,20 @@ bool ForEachFlow(const FSpirvModule& Module, const FSpirvInstruction& I, TCopy C
 	return true;
 }
 
+/** Numbers of -1..1 or 0..1 in the bits of one uint, the first one lowest. */
+struct FSpirvNorms
+{
+	uint32_t Ext = 0;
+	uint32_t Count = 0; // of numbers
+	bool bSigned = false;
+	bool bPacks = false;
+
+	uint32_t GetBits() const { return 32 / Count; }
+	/** The code of 1. */
+	uint32_t GetOne() const { return (1u << (GetBits() - (bSigned ? 1 : 0))) - 1; }
+};
+
+/** Null: Ext is none of these functions. */
+const FSpirvNorms* FindSpirvNorms(uint32_t Ext);
+
 } // namespace Drydock

@@ -32,7 +32,7 @@ enum EOp : uint16_t
 	OpSNegate = 126, OpFNegate = 127, OpIAdd = 128, OpFAdd = 129, OpISub = 130, OpFSub = 131, OpIMul = 132, OpFMul = 133,
 	OpUDiv = 134, OpSDiv = 135, OpFDiv = 136, OpUMod = 137, OpSRem = 138, OpSMod = 139, OpFRem = 140, OpFMod = 141,
 	OpVectorTimesScalar = 142, OpMatrixTimesScalar = 143, OpVectorTimesMatrix = 144, OpMatrixTimesVector = 145,
-	OpMatrixTimesMatrix = 146, OpOuterProduct = 147, OpDot = 148,
+	OpMatrixTimesMatrix = 146, OpOuterProduct = 147, OpDot = 148, OpIAddCarry = 149, OpISubBorrow = 150,
 	OpAny = 154, OpAll = 155, OpIsNan = 156, OpIsInf = 157, OpLogicalEqual = 164, OpLogicalNotEqual = 165,
 	OpLogicalOr = 166, OpLogicalAnd = 167, OpLogicalNot = 168, OpSelect = 169, OpIEqual = 170, OpINotEqual = 171,
 	OpUGreaterThan = 172, OpSGreaterThan = 173, OpUGreaterThanEqual = 174, OpSGreaterThanEqual = 175, OpULessThan = 176,
@@ -41,7 +41,8 @@ enum EOp : uint16_t
 	OpFOrdGreaterThan = 186, OpFUnordGreaterThan = 187, OpFOrdLessThanEqual = 188, OpFUnordLessThanEqual = 189,
 	OpFOrdGreaterThanEqual = 190, OpFUnordGreaterThanEqual = 191,
 	OpShiftRightLogical = 194, OpShiftRightArithmetic = 195, OpShiftLeftLogical = 196, OpBitwiseOr = 197,
-	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitReverse = 204, OpBitCount = 205,
+	OpBitwiseXor = 198, OpBitwiseAnd = 199, OpNot = 200, OpBitFieldInsert = 201, OpBitFieldSExtract = 202,
+	OpBitFieldUExtract = 203, OpBitReverse = 204, OpBitCount = 205,
 	OpDPdx = 207, OpDPdy = 208, OpFwidth = 209, OpDPdxFine = 210, OpDPdyFine = 211, OpFwidthFine = 212,
 	OpDPdxCoarse = 213, OpDPdyCoarse = 214, OpFwidthCoarse = 215,
 	OpControlBarrier = 224, OpMemoryBarrier = 225, OpAtomicLoad = 227, OpAtomicStore = 228, OpAtomicExchange = 229,
@@ -67,13 +68,14 @@ enum EExtInst : uint32_t
 {
 	ExtRound = 1, ExtRoundEven = 2, ExtTrunc = 3, ExtFAbs = 4, ExtSAbs = 5, ExtFSign = 6, ExtSSign = 7, ExtFloor = 8,
 	ExtCeil = 9, ExtFract = 10, ExtRadians = 11, ExtDegrees = 12, ExtSin = 13, ExtCos = 14, ExtTan = 15, ExtAsin = 16,
-	ExtAcos = 17, ExtAtan = 18, ExtSinh = 19, ExtCosh = 20, ExtTanh = 21, ExtAtan2 = 25, ExtPow = 26, ExtExp = 27,
-	ExtLog = 28, ExtExp2 = 29, ExtLog2 = 30, ExtSqrt = 31, ExtInverseSqrt = 32, ExtDeterminant = 33, ExtModf = 35,
+	ExtAcos = 17, ExtAtan = 18, ExtSinh = 19, ExtCosh = 20, ExtTanh = 21, ExtAsinh = 22, ExtAcosh = 23, ExtAtanh = 24, ExtAtan2 = 25, ExtPow = 26, ExtExp = 27,
+	ExtLog = 28, ExtExp2 = 29, ExtLog2 = 30, ExtSqrt = 31, ExtInverseSqrt = 32, ExtDeterminant = 33, ExtModf = 35, ExtModfStruct = 36,
 	ExtFMin = 37, ExtUMin = 38, ExtSMin = 39, ExtFMax = 40, ExtUMax = 41, ExtSMax = 42,
 	ExtFClamp = 43, ExtUClamp = 44, ExtSClamp = 45, ExtFMix = 46, ExtStep = 48, ExtSmoothStep = 49, ExtFma = 50,
-	ExtLdexp = 53, ExtPackHalf2x16 = 58, ExtPackDouble2x32 = 59, ExtUnpackHalf2x16 = 62, ExtUnpackDouble2x32 = 65,
-	ExtLength = 66,
-	ExtDistance = 67, ExtCross = 68, ExtNormalize = 69, ExtFaceForward = 70, ExtReflect = 71, ExtRefract = 72,
+	ExtFrexpStruct = 52, ExtLdexp = 53, ExtPackSnorm4x8 = 54, ExtPackUnorm4x8 = 55, ExtPackSnorm2x16 = 56,
+	ExtPackUnorm2x16 = 57, ExtPackHalf2x16 = 58, ExtPackDouble2x32 = 59, ExtUnpackSnorm2x16 = 60,
+	ExtUnpackUnorm2x16 = 61, ExtUnpackHalf2x16 = 62, ExtUnpackSnorm4x8 = 63, ExtUnpackUnorm4x8 = 64,
+	ExtUnpackDouble2x32 = 65, ExtLength = 66, ExtDistance = 67, ExtCross = 68, ExtNormalize = 69, ExtFaceForward = 70, ExtReflect = 71, ExtRefract = 72,
 	ExtFindILsb = 73, ExtFindSMsb = 74, ExtFindUMsb = 75, ExtNMin = 79, ExtNMax = 80, ExtNClamp = 81
 };
 

@@ -4,6 +4,7 @@
 
 #include "Lanes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -139,9 +140,21 @@ bool EvaluateOperation(uint16_t Op, const TSpirvWord<Real>* Operands, TSpirvWord
 		return ToSpirvWord<Real>(Value);
 	};
 	const int32_t I = int32_t(A);
+	const auto Ones = [](uint64_t Count)
+	{
+		return uint32_t((uint64_t(1) << std::min<uint64_t>(Count, 32)) - 1);
+	};
 	// clang-format off
 	switch (Op)
 	{
+	case OpBitFieldInsert:
+		Result = (A & ~(Ones(Operands[3]) << (Operands[2] & 31))) | ((B & Ones(Operands[3])) << (Operands[2] & 31));
+		return true;
+	case OpBitFieldUExtract: Result = (A >> (B & 31)) & Ones(Operands[2]); return true;
+	case OpBitFieldSExtract:
+		Result = (A >> (B & 31)) & Ones(Operands[2]);
+		Result |= Operands[2] && Operands[2] < 32 && Result >> (Operands[2] - 1) & 1 ? ~Ones(Operands[2]) : 0u;
+		return true;
 	case OpCopyObject: Result = Operands[0]; return true;
 	case OpConvertFToU: Result = FloatToUint(X); return true;
 	case OpConvertFToS: Result = FloatToInt(X); return true;
@@ -221,6 +234,9 @@ bool EvaluateExtended(uint32_t Ext, const TSpirvWord<Real>* Operands, TSpirvWord
 	case ExtSinh: return Give(Lanes::Sinh(X));
 	case ExtCosh: return Give(Lanes::Cosh(X));
 	case ExtTanh: return Give(Lanes::Tanh(X));
+	case ExtAsinh: return Give(Lanes::Asinh(X));
+	case ExtAcosh: return Give(Lanes::Acosh(X));
+	case ExtAtanh: return Give(Lanes::Atanh(X));
 	case ExtAtan2: return Give(Lanes::Atan2(X, Y));
 	case ExtPow: return Give(Lanes::Pow(X, Y));
 	case ExtExp: return Give(Lanes::Exp(X));

@@ -2,6 +2,8 @@
 // result would be another number and nobody would know.
 #include "SpirvChecker.h"
 
+#include "SpirvFlow.h"
+
 #include <set>
 
 namespace Drydock
@@ -26,7 +28,8 @@ EOperands GetOperandKind(uint16_t Op)
 		OpVectorTimesMatrix, OpMatrixTimesVector, OpMatrixTimesMatrix, OpOuterProduct, OpDot, OpIsNan, OpIsInf,
 		OpConvertFToU, OpConvertFToS};
 	static const std::set<uint16_t> Integers = {OpSNegate, OpIAdd, OpISub, OpIMul, OpUDiv, OpSDiv, OpUMod, OpSRem,
-		OpSMod, OpNot, OpBitCount, OpBitReverse, OpConvertSToF, OpConvertUToF};
+		OpSMod, OpIAddCarry, OpISubBorrow, OpNot, OpBitFieldInsert, OpBitFieldSExtract, OpBitFieldUExtract, OpBitCount,
+		OpBitReverse, OpConvertSToF, OpConvertUToF};
 	const auto IsFrom = [Op](uint16_t First, uint16_t Last)
 	{
 		return Op >= First && Op <= Last;
@@ -41,10 +44,11 @@ EOperands GetExtOperandKind(uint32_t Ext)
 {
 	static const std::set<uint32_t> Integers = {ExtUMin, ExtSMin, ExtUMax, ExtSMax, ExtUClamp, ExtSClamp, ExtFindILsb,
 		ExtFindSMsb, ExtFindUMsb, ExtUnpackHalf2x16, ExtPackDouble2x32};
-	return Ext == ExtSAbs || Ext == ExtSSign   ? EOperands::Signed
-		   : Integers.count(Ext)               ? EOperands::Integers
-		   : Ext == ExtModf || Ext == ExtLdexp ? EOperands::Any // of two kinds
-											   : EOperands::Floats;
+	const FSpirvNorms* const Norms = FindSpirvNorms(Ext);
+	return Ext == ExtSAbs || Ext == ExtSSign                  ? EOperands::Signed
+		   : Integers.count(Ext) || (Norms && !Norms->bPacks) ? EOperands::Integers
+		   : Ext == ExtModf || Ext == ExtLdexp                ? EOperands::Any // of two kinds
+															  : EOperands::Floats;
 }
 
 } // namespace

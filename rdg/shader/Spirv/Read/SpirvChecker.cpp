@@ -2,6 +2,8 @@
 // expects. Instructions that the CPU tier lacks are refused here, with the line and a replacement.
 #include "SpirvChecker.h"
 
+#include "SpirvFlow.h"
+
 #include "SpirvQuads.h"
 
 #include "SpirvRefusals.h"
@@ -47,7 +49,8 @@ int GetComponentwiseExtOperands(uint32_t Ext)
 	{
 	case ExtRound: case ExtRoundEven: case ExtTrunc: case ExtFAbs: case ExtSAbs: case ExtFSign: case ExtSSign:
 	case ExtFloor: case ExtCeil: case ExtFract: case ExtRadians: case ExtDegrees: case ExtSin: case ExtCos: case ExtTan:
-	case ExtAsin: case ExtAcos: case ExtAtan: case ExtSinh: case ExtCosh: case ExtTanh: case ExtExp: case ExtLog:
+	case ExtAsin: case ExtAcos: case ExtAtan: case ExtSinh: case ExtCosh: case ExtTanh:
+	case ExtAsinh: case ExtAcosh: case ExtAtanh: case ExtExp: case ExtLog:
 	case ExtExp2: case ExtLog2: case ExtSqrt: case ExtInverseSqrt: case ExtNormalize: case ExtFindILsb: case ExtFindSMsb:
 	case ExtFindUMsb:
 		return 1;
@@ -273,6 +276,24 @@ void FSpirvChecker::CheckInstruction(const FSpirvInstruction& I)
 		CheckKinds(I);
 		return;
 	}
+	if (I.Op == OpIAddCarry || I.Op == OpISubBorrow)
+	{
+		Expect(I.Operands.size() == 2 && Size(I, 0) == Size(I, 1) && ResultSize(I) == 2 * Size(I, 0), I);
+		CheckKinds(I);
+		const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
+		Expect(IsSpirvInteger(Kind) && GetSpirvBytes(Kind) >= 4, I);
+		return;
+	}
+	if (I.Op >= OpBitFieldInsert && I.Op <= OpBitFieldUExtract)
+	{
+		const size_t Offset = I.Op == OpBitFieldInsert ? 2 : 1; // and behind it the count of bits
+		Expect(
+			I.Operands.size() == Offset + 2 && Size(I, 0) == ResultSize(I) && Size(I, Offset - 1) == ResultSize(I), I);
+		Expect(Size(I, Offset) == 1 && Size(I, Offset + 1) == 1, I);
+		CheckKinds(I);
+		Expect(GetSpirvBytes(Module.GetScalarKind(I.Type, 0)) == 4, I);
+		return;
+	}
 	if (Module.ExecutionModel == ExecutionModelFragment && (bTogether || I.Op == OpDemote))
 	{
 		CheckQuad(I);
@@ -339,6 +360,7 @@ bool FSpirvChecker::CheckMemory(const FSpirvInstruction& I)
 		ExpectCount(I, 1);
 		const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
 		Expect(Pointer.Kind == ESpirvType::Pointer && Pointer.Element == I.Type, I);
+		Expect(!Module.FindConstant(I.Operands[0]), I); // an undefined pointer
 		const ESpirvType Kind = Module.GetType(I.Type).Kind;
 		const bool bHandle = Kind == ESpirvType::Image || Kind == ESpirvType::Sampler;
 		if (bHandle && !Module.FindVariable(I.Operands[0]))
@@ -354,6 +376,7 @@ bool FSpirvChecker::CheckMemory(const FSpirvInstruction& I)
 		ExpectCount(I, 2);
 		const FSpirvType& Pointer = Module.GetValueType(I.Operands[0]);
 		Expect(Pointer.Kind == ESpirvType::Pointer && Module.GetType(Pointer.Element).NumScalars == Size(I, 1), I);
+		Expect(!Module.FindConstant(I.Operands[0]), I);
 		return true;
 	}
 	case OpAccessChain:
@@ -407,6 +430,11 @@ void FSpirvChecker::CheckExtended(const FSpirvInstruction& I)
 		return;
 	}
 	const uint32_t First = Size(I, 2);
+	if (const FSpirvNorms* const Norms = FindSpirvNorms(Ext))
+	{
+		Expect(First == (Norms->bPacks ? Norms->Count : 1) && ResultSize(I) == (Norms->bPacks ? 1 : Norms->Count), I);
+		return;
+	}
 	switch (Ext)
 	{
 	case ExtDeterminant:
@@ -433,6 +461,13 @@ void FSpirvChecker::CheckExtended(const FSpirvInstruction& I)
 			I);
 		return;
 	}
+	case ExtFrexpStruct:
+	case ExtModfStruct:
+		Expect(ResultSize(I) == 2 * First &&
+				   Module.GetScalarKind(I.Type, 0) == Module.GetScalarKind(Module.GetValueTypeId(I.Operands[2]), 0),
+			I);
+		Expect(IsSpirvInteger(Module.GetScalarKind(I.Type, First)) == (Ext == ExtFrexpStruct), I);
+		return;
 	case ExtPackDouble2x32:
 		Expect(First == 2 && ResultSize(I) == 1 && Module.GetScalarKind(I.Type, 0) == ESpirvType::Double, I);
 		return;

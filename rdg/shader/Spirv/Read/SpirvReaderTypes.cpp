@@ -257,7 +257,8 @@ void FSpirvReader::ReadConstant(uint16_t Op, FSpirvOperands& Operands)
 		Constant.Scalars.assign(Type.NumScalars, 0);
 		break;
 	}
-	if (Type.NumScalars == 0 || Constant.Scalars.size() != Type.NumScalars)
+	const bool bNowhere = Op == OpUndef && Type.Kind == ESpirvType::Pointer;
+	if ((Type.NumScalars == 0 && !bNowhere) || Constant.Scalars.size() != Type.NumScalars)
 	{
 		throw FSpirvError("SPIR-V: constant " + std::to_string(Id) + " does not fit its type");
 	}

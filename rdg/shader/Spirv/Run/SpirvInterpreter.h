@@ -16,7 +16,7 @@ namespace Drydock
 struct FInterpretedPixel
 {
 	bool bDiscarded = false;
-	float Targets[8][4] = {};
+	float Targets[8][4] = {}; // integers: their bits
 };
 
 class FSpirvInterpreterImpl;

@@ -1,8 +1,8 @@
 // One thread of a shader, run instruction by instruction, block after block, as the specification says. It knows
 // nothing of lanes, masks, structure or uniformity. SpirvThread.inl: inputs, blocks and calls; SpirvThreadMemory.inl:
 // pointers and buffers; SpirvThreadGroups.inl, SpirvThreadWaves.inl and SpirvThreadQuads.inl: what threads do
-// together; SpirvThreadValues.inl: vectors, matrices and
-// functions of them; SpirvThreadImages.inl: textures.
+// together; SpirvThreadValues.inl: vectors and matrices; SpirvThreadFunctions.inl: functions of GLSL.std.450;
+// SpirvThreadImages.inl: textures.
 #pragma once
 
 #include "SpirvImageOperands.h"
@@ -11,9 +11,11 @@
 #include "SpirvRace.h"
 #include "SpirvReflect.h"
 #include "SpirvScalarMath.h"
+#include "TileExecutor.h"
 #include "VertexProgram.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace Drydock
 {

@@ -430,6 +430,11 @@ uint32_t TSpirvThread<Real>::ChooseTarget(const FSpirvStep& Step) const
 template<typename Real>
 void TSpirvThread<Real>::Execute(const FSpirvStep& Step)
 {
+	std::optional<FScopedDenormals> Doubles;
+	if (sizeof(Real) == 4 && Step.Kind == ESpirvType::Double && Step.I->Op != OpFConvert)
+	{
+		Doubles.emplace(EDenormals::Keep); // where floats flush them
+	}
 	if (!Undefined.empty())
 	{
 		FollowUndefined(Step);

@@ -5,6 +5,7 @@
 #include "SpirvThreadGroups.inl"
 #include "SpirvThreadMemory.inl"
 #include "SpirvThreadQuads.inl"
+#include "SpirvThreadFunctions.inl"
 #include "SpirvThreadValues.inl"
 #include "SpirvThreadWaves.inl"
 

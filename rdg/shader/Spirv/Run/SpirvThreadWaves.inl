@@ -136,6 +136,11 @@ auto TSpirvThread<Real>::CombineWave(const std::vector<TSpirvThread*>& Together)
 	const uint16_t Op = Step.I->Op;
 	const bool bReduce = Step.I->Operands[1] == 0;
 	FWaveResult Sum(Step.Size);
+	std::optional<FScopedDenormals> Doubles;
+	if (sizeof(Real) == 4 && Step.Kind == ESpirvType::Double)
+	{
+		Doubles.emplace(EDenormals::Keep); // where floats flush them
+	}
 	for (uint32_t i = 0; i < Step.Size; ++i)
 	{
 		Sum[i] = bReduce ? Together.front()->Value(Step, 2)[i] : Waves::GetIdentityOf<Real>(Step.Kind, Op);

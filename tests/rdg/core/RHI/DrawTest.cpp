@@ -1,4 +1,6 @@
 // Render passes and draws write, blend and clear what they should.
+#include <gmock/gmock.h>
+
 #include "PipelineStateCache.h"
 #include "RHITestHelpers.h"
 
@@ -277,6 +279,46 @@ TEST_F(Draw, TargetsTheShaderDoesNotWriteAreMasked)
 	RHICmdList.DrawPrimitive(0, 1, 1);
 	EXPECT_EQ(15, GSeenTargets[0].WriteMask);
 	EXPECT_EQ(0, GSeenTargets[1].WriteMask);
+}
+
+TEST_F(Draw, IntegersAndFloatsGoToTargetsOfTheirKind)
+{
+	const auto ErrorOf = [this](EPixelFormat Format, uint32 IntegerTargets) -> std::string
+	{
+		Texture = MakeTexture(FIntPoint(8, 4), Format);
+		FRHICommandListImmediate List;
+		List.BeginRenderPass(FRHIRenderPassInfo(Texture, ERenderTargetActions::Load_Store), TEXT("Test"));
+		FGraphicsPipelineStateInitializer Initializer;
+		Initializer.BlendState = TStaticBlendState<CW_RED, BO_Add, BF_One, BF_One>::GetRHI();
+		SetGraphicsPipelineState(List, Initializer, 0);
+		FBoundShader Shader = MakeShader(EShaderStage::Pixel, RecordTargets);
+		FShaderReflection Reflection = Shader.GetReflection();
+		Reflection.IntegerTargets = IntegerTargets;
+		Shader.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+		List.SetBoundPixelShader(std::move(Shader));
+		try
+		{
+			List.DrawPrimitive(0, 1, 1);
+		}
+		catch (const FError& Error)
+		{
+			return Error.what();
+		}
+		return "";
+	};
+	for (const EPixelFormat Format : {PF_R8_UINT, PF_R16_UINT, PF_R32_UINT, PF_R16G16B16A16_UINT, PF_R32G32B32A32_UINT})
+	{
+		EXPECT_EQ("", ErrorOf(Format, 1)) << Format;
+		EXPECT_EQ(0, GSeenTargets[0].bBlend);
+		EXPECT_EQ(1, GSeenTargets[0].WriteMask);
+	}
+	EXPECT_THAT(ErrorOf(PF_FloatRGBA, 1),
+		testing::HasSubstr(
+			"pixel shader FTestShader writes integers to SV_Target0, which is Test of PF_FloatRGBA; give "
+			"it a format of integers, or return float4"));
+	EXPECT_THAT(ErrorOf(PF_R32_UINT, 0),
+		testing::AllOf(testing::HasSubstr("DD2133"),
+			testing::HasSubstr("FTestShader writes floats to SV_Target0, which is Test of PF_R32_UINT; return uint4")));
 }
 
 TEST_F(Draw, CountersCountPixelsAndBytes)

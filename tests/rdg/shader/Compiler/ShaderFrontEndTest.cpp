@@ -146,7 +146,8 @@ TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : COLOR) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
 		HasSubstr("semantic COLOR"));
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 P : SV_POSITION) : COLOR0 { return P; }\n", EShaderStage::Pixel),
-		HasSubstr("(COLOR0) is not supported on the CPU tier; outputs are float colours to SV_Target0..7"));
+		HasSubstr(
+			"(COLOR0) is not supported on the CPU tier; outputs are colours of float, int or uint to SV_Target0..7"));
 }
 
 TEST(ShaderRefusals, InputsOfTypesThatNoPassFillsAreNamed)

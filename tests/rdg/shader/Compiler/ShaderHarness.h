@@ -13,6 +13,7 @@
 #include "SpirvQuads.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -258,7 +259,11 @@ private:
 			const FSpirvMemory& Memory = Shader.GetProgram().Memory[i];
 			for (uint32_t c = 0; Variable.Storage == Spirv::StorageOutput && c < Memory.Size && c < 4; ++c)
 			{
-				Targets.at(Variable.Location).Texel(X, Y)[c] = float(Thread.GetReal(Memory.First + c));
+				const float Number = float(Thread.GetReal(Memory.First + c));
+				const uint32_t Bits = Module.GetScalarKind(Variable.Type, c) == ESpirvType::Float
+										  ? std::bit_cast<uint32_t>(Number)
+										  : Thread.GetBits(Memory.First + c);
+				std::memcpy(&Targets.at(Variable.Location).Texel(X, Y)[c], &Bits, 4);
 			}
 		}
 	}
@@ -318,6 +323,10 @@ private:
 		{
 			FKernelTarget View{};
 			View.Texture = Target.View();
+			if (R.IntegerTargets >> TargetViews.size() & 1)
+			{
+				View.Texture.Storage = ETexelStorage::RGBA32_UINT;
+			}
 			View.WriteMask = 15;
 			TargetViews.push_back(View);
 		}

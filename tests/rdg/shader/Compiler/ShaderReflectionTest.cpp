@@ -209,8 +209,19 @@ TEST(ShaderReflection, TargetsAndInterpolantsAreCounted)
 				"float4 Y : SV_Target2) { X = A; Y = P; clip(A.x); }\n",
 			EShaderStage::Pixel);
 	EXPECT_EQ(3, Reflection.NumTargets);
+	EXPECT_EQ(0u, Reflection.IntegerTargets);
 	EXPECT_EQ(2, Reflection.NumInterpolants);
 	EXPECT_TRUE(Reflection.bUsesDiscard);
+}
+
+TEST(ShaderReflection, TargetsOfIntegersAreNamed)
+{
+	const FShaderReflection Reflection =
+		Reflect("void Main(out int2 X : SV_Target0, out float4 Y : SV_Target1, out uint Z : SV_Target2)\n"
+				"{ X = 1; Y = 2; Z = 3; }\n",
+			EShaderStage::Pixel);
+	EXPECT_EQ(5u, Reflection.IntegerTargets);
+	EXPECT_EQ(5u, ReflectionFromJson(ReflectionToJson(Reflection))->IntegerTargets);
 }
 
 TEST(ShaderReflection, TapsAreCountedThroughConstantLoops)

@@ -55,9 +55,9 @@ constexpr FForm GForms[] = {
 	{"C.SampleGrad(S, A.xyz, B.xyz, G.xyz)", "C", FForm::Grad, {}},
 	{"CA.SampleGrad(S, A, B.xyz, G.xyz)", "CA", FForm::Grad, {}},
 	{"D.SampleCmpLevelZero(SC, A.xy, B.w)", "D", FForm::Compare, {}},
-	{"D.SampleCmp(SC, A.xy, B.w, int2(1, 2))", "D", FForm::Compare, {{1, 2}}},
+	{"D.SampleCmpLevelZero(SC, A.xy, B.w, int2(1, 2))", "D", FForm::Compare, {{1, 2}}},
 	{"DA.SampleCmpLevelZero(SC, A.xyz, B.w)", "DA", FForm::Compare, {}},
-	{"DC.SampleCmp(SC, A.xyz, B.w)", "DC", FForm::Compare, {}},
+	{"DC.SampleCmpLevelZero(SC, A.xyz, B.w)", "DC", FForm::Compare, {}},
 	{"DCA.SampleCmpLevelZero(SC, A, B.w)", "DCA", FForm::Compare, {}},
 	{"D.GatherCmp(SC, A.xy, B.w)", "D", FForm::GatherCompare, {}},
 	{"D.GatherCmp(SC, A.xy, B.w, int2(1, 1))", "D", FForm::GatherCompare, {{1, 1}, {1, 1}, {1, 1}, {1, 1}}},
@@ -133,6 +133,11 @@ struct FSamples
 			for (size_t i = 4; i < 12; ++i)
 			{
 				In[Thread * 12 + i] *= i == 7 ? 1 : 0.3f;
+			}
+			if (Thread % 4 == 0)
+			{
+				In[Thread * 12 + 2] = float(Random.Int(-1, 3)) + 0.5f; // between two layers, or two cubes
+				In[Thread * 12 + 3] = float(Random.Int(-1, 3)) + 0.5f;
 			}
 			for (size_t i = 0; i < 4; ++i)
 			{

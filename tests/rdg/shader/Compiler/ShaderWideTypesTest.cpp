@@ -1,5 +1,6 @@
 // Numbers of 16 and 64 bits: kernels of all widths, in float and in double, and the interpreter against plain C++.
 #include "ShaderHarness.h"
+#include "TileExecutor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,6 +52,7 @@ public:
 
 	std::vector<uint32_t> Run(bool bRealHalf = true)
 	{
+		const FScopedDenormals Scope(EDenormals::Flush); // as kernels of float run
 		Inputs["Out"] = std::vector<uint32_t>(NumOutputWords, 0xCDCDCDCDu);
 		FShaderHarness Model = Make(bRealHalf);
 		Model.RunModel(NumThreads, 1);
@@ -219,11 +221,11 @@ TEST(ShaderWideTypes, IntegersOf16BitsAreThoseOfCpp)
 	CheckIntegers<uint16_t>("uint16_t");
 }
 
-TEST(ShaderWideTypes, DoublesAreThoseOfCpp)
+TEST(ShaderWideTypes, DoublesAreThoseOfCppAndKeepDenormals)
 {
 	std::vector<double> A, B;
 	const double Inf = std::numeric_limits<double>::infinity();
-	MakeInputs<double>({0.0, -0.0, 1.0, -1.5, Inf, -Inf, std::nan(""), 5e-324, -1e-310, 1.7e308, 0.1}, A, B);
+	MakeInputs<double>({0.0, -0.0, 1.0, -1.5, Inf, -Inf, std::nan(""), 5e-324, -1e-310, 1.7e308, 0.1, 1e-40}, A, B);
 	const std::vector<std::string> Expressions = {"A + B", "A - B", "A * B", "A / B", "-A", "abs(A)", "double(A < B)",
 		"double(A == B)", "double(A != B)", "double(float(A))", "sqrt(A)", "floor(A)", "fma(A, B, A)", "min(A, B)",
 		"double(int(A))", "double(uint(B))", "double(int64_t(A))", "B < 0 ? A : 0.1L"};
@@ -242,13 +244,18 @@ TEST(ShaderWideTypes, DoublesAreThoseOfCpp)
 			const double Long =
 				X >= 0x1p63 ? double(std::numeric_limits<int64_t>::max()) : Saturate(X, -0x1p63, 0x1p63);
 			return {X + Y, X - Y, X * Y, X / Y, -X, std::fabs(X), double(X < Y), double(X == Y), double(X != Y),
-				double(float(X)), std::sqrt(X), std::floor(X), X * Y + X,
+				std::fabs(X) < 0x1p-126 ? std::copysign(0.0, X) : double(float(X)), std::sqrt(X), std::floor(X),
+				X * Y + X,
 				Y != Y  ? X
 				: X < Y ? X
 						: Y,
 				Saturate(X, -2147483648.0, 2147483647.0) + 0.0, Saturate(Y, 0, 4294967295.0) + 0.0, Long + 0.0,
 				Y < 0 ? X : 0.1};
 		});
+	FEverywhere Waves(MakeShader("double", "double", {"WaveActiveSum(A)"}), false); // waves of the group's 8 threads
+	Waves.Inputs = {{"InA", ToWords(std::vector<double>(NumThreads, 5e-324))}, {"InB", ToWords(B)}};
+	Waves.NumOutputWords = NumThreads * 2;
+	EXPECT_EQ(ToWords(std::vector<double>(NumThreads, 4e-323)), Waves.Run());
 }
 
 TEST(ShaderWideTypes, HalvesAreRoundedToNearestEvenAfterEachOperation)

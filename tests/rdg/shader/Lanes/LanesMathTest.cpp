@@ -398,7 +398,9 @@ TEST(LanesElementary, SpecialCases)
 		{"Atan", GInf, 0, 1.57079637f},
 		{"Atan2", 0, 1, 0},
 		{"Atan2", 0, -1, 3.14159274f},
-		{"Atan2", -0.0f, -1, -3.14159274f},
+		{"Atan2", -0.0f, -1, 3.14159274f}, // no negative number
+		{"Atan2", -1e-30f, -1, -3.14159274f},
+		{"Atan2", -0.0f, 1, -0.0f},
 		{"Atan2", 0, 0, 0},
 		{"Atan2", 1, 0, 1.57079637f},
 		{"Atan2", GInf, GInf, 0.785398185f},

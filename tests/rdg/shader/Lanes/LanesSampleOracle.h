@@ -210,7 +210,7 @@ struct FSampleCase
 			return {};
 		}
 		const int Layers = bCube ? M.SizeZ / 6 : M.SizeZ;
-		const int Layer = bArray ? int(std::clamp(std::floor(At[GetAxes()] + 0.5), 0.0, Layers - 1.0)) : 0;
+		const int Layer = bArray ? int(std::clamp(std::nearbyint(At[GetAxes()]), 0.0, Layers - 1.0)) : 0;
 		FFour Four = {{}, X->Weight, Y->Weight};
 		for (int k = 0; k < 4; ++k)
 		{
@@ -322,7 +322,7 @@ inline FSampleCase MakeSampleCase(FSampleRandom& Random, FTestTexture& Texture, 
 	{
 		Coordinate = Random.Real(-2, 3);
 	}
-	Case.At[Case.GetAxes()] = Random.Real(-1, 4);
+	Case.At[Case.GetAxes()] = Random.Int(0, 3) ? Random.Real(-1, 4) : Random.Int(-2, 6) / 2.0; // ties between layers
 	return Case;
 }
 

@@ -291,6 +291,27 @@ TEST(LanesTarget, TheWriteMaskKeepsTheOtherChannels)
 	EXPECT_EQ((FTexel{1, 8, 4, 1}), (StoreOver<float, 4>(T, Target, {1, 2, 4, 0}, {8, 8, 8, 8})));
 }
 
+TEST(LanesTarget, IntegersAreClampedToTheFormatAndMasked)
+{
+	using Lanes::TInt, Lanes::TUint;
+	FTestTexture T(ETexelStorage::RGBA8_UINT, 5, 1);
+	T.Write({1, 2, 3, 4}, 4, 0);
+	FKernelTarget Target = MakeTarget(T.Texture);
+	Target.WriteMask = 5;
+	const TInt<4> Lane = Lanes::LaneIndex<4>();
+	const TUint<4> Value = AsUint(Lane) + TUint<4>(252u);
+	StoreTarget<float, 4>(
+		Lane != TInt<4>(1), Target, 1, 0, Lanes::TVec<TUint<4>, 4>(Value, Value + Value, Value, Value));
+	EXPECT_EQ((FTexel{0, 0, 0, 0}), T.Read(0, 0));
+	EXPECT_EQ((FTexel{252, 0, 252, 0}), T.Read(1, 0));
+	EXPECT_EQ((FTexel{0, 0, 0, 0}), T.Read(2, 0)); // off
+	EXPECT_EQ((FTexel{255, 2, 255, 4}), T.Read(4, 0));
+	Target.WriteMask = 15;
+	StoreTarget<float, 4>(
+		Lane == TInt<4>(0), Target, 0, 0, Lanes::TVec<TUint<4>, 4>(Value, Value + Value, Value, Value));
+	EXPECT_EQ((FTexel{252, 255, 252, 252}), T.Read(0, 0)); // 504 is above the range
+}
+
 TEST(LanesTarget, TheTailOfARowIsMasked)
 {
 	ForEachWidth(

@@ -112,23 +112,31 @@ TEST(LanesMips, TheSamplersBiasIsAdded)
 	EXPECT_EQ(200, Out[0]);
 }
 
-TEST(LanesLayers, TheNearestLayerClamped)
+TEST(LanesLayers, TheNearestLayerAtATieTheEvenOneClamped)
 {
-	FTestTexture T(ETexelStorage::RGBA16_FLOAT, 4, 4, 3);
+	FTestTexture T(ETexelStorage::RGBA16_FLOAT, 4, 4, 4);
 	Number(T);
 	ForEachWidth(
 		[&]<typename Real, int N>()
 		{
 			const TLaneArray<Real, N> Coordinate(0);
-			const TLaneArray<Real, N> Layers(Real(-1), Real(0.75)); // -1, -0.25, 0.5, 1.25, 2, 2.75 ..
+			const std::pair<double, double> Pairs[] = {{-1e30, 0}, {-0.5, 0}, {0.5, 0}, {0.50001, 1}, {1.25, 1},
+				{1.49999, 1}, {1.5, 2}, {2.5, 2}, {2.50001, 3}, {3.5, 3}, {1e30, 3}, {std::nan(""), 0}};
 			const Real Level = 0;
-			Real Out[4 * N];
-			TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp),
-				Coordinate.V, Coordinate.V, Layers.V, &Level, true, Out);
-			const double Expected[] = {0, 0, 10, 10, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 20};
-			for (int Lane = 0; Lane < N; ++Lane)
+			for (size_t First = 0; First < std::size(Pairs); ++First)
 			{
-				EXPECT_EQ(Expected[Lane], Out[Lane]) << Lane;
+				TLaneArray<Real, N> Layers(0);
+				for (size_t Lane = 0; Lane < size_t(N); ++Lane)
+				{
+					Layers.V[Lane] = Real(Pairs[(First + Lane) % std::size(Pairs)].first);
+				}
+				Real Out[4 * N];
+				TSampling<Real, N>::Sample2D(T.Texture, MakeSampler(EKernelFilter::Bilinear, EKernelAddress::Clamp),
+					Coordinate.V, Coordinate.V, Layers.V, &Level, true, Out);
+				for (size_t Lane = 0; Lane < size_t(N); ++Lane)
+				{
+					EXPECT_EQ(10 * Pairs[(First + Lane) % std::size(Pairs)].second, Out[Lane]) << Layers.V[Lane];
+				}
 			}
 		});
 }
