@@ -44,7 +44,7 @@ ETexelStorage GetStorage(EFormat Format, uint32_t Channels)
 	return List[Channels - 1];
 }
 
-/** What is not used has no register. "A_2" is an element of A. */
+/** Resources that are not used have no register. "A_2" is an element of A. */
 bool IsUsed(const FShaderReflection& Reflection, const std::string& Name)
 {
 	const auto IsIn = [&Name](const std::vector<FShaderResource>& List)

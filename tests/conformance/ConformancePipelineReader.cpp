@@ -102,9 +102,11 @@ FBuffer ReadBuffer(const YAML::Node& Node)
 	for (size_t i = 0; i < Count; ++i)
 	{
 		std::vector<uint8_t> Bytes;
+		std::vector<uint8_t> Value;
+		AppendValue(Value, Buffer.Format, GetText(Node, "FillValue", "0"));
 		while (Bytes.size() < Fill)
 		{
-			AppendValue(Bytes, Buffer.Format, GetText(Node, "FillValue", "0"));
+			Bytes.insert(Bytes.end(), Value.begin(), Value.end());
 		}
 		if (Fill == 0 && Data)
 		{

@@ -379,54 +379,6 @@ void FRHICommandList::SetBlendFactor(const FLinearColor& BlendFactor)
 	checkf(BlendFactor == FLinearColor(1, 1, 1, 1), TEXT("blend factors other than white are not simulated"));
 }
 
-std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
-{
-	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
-	const int32 NumWritten = Reflection.NumTargets;
-	// Outputs without a target are dropped: a write mask of 0, and a texture without texels behind it.
-	static const Drydock::FKernelMip NoTexels{};
-	Drydock::FKernelTarget NoTarget{};
-	NoTarget.Texture = {&NoTexels, 1, Drydock::ETexelStorage::R32_FLOAT, 0, 0};
-	const int32 NumBound = RenderPass.GetNumColorRenderTargets();
-	std::vector<Drydock::FKernelTarget> Targets(size_t(std::max(NumBound, NumWritten)), NoTarget);
-	for (int32 Index = 0; Index < NumBound; ++Index)
-	{
-		const FRHIRenderPassInfo::FColorEntry& Entry = RenderPass.ColorRenderTargets[Index];
-		if (!Entry.RenderTarget || Index >= NumWritten)
-		{
-			continue;
-		}
-		const bool bIntegers = Reflection.IntegerTargets >> Index & 1;
-		const EPixelFormat Format = Entry.RenderTarget->GetFormat();
-		if (bIntegers != IsInteger(Format))
-		{
-			throw Drydock::FError(
-				Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Error, Drydock::ErrorTargetKind,
-					"pixel shader " + BoundPixel.Name + " writes " + (bIntegers ? "integers" : "floats") +
-						" to SV_Target" + std::to_string(Index) + ", which is " +
-						Entry.RenderTarget->GetName().ToString().ToStdString() + " of " + GetPixelFormatString(Format) +
-						(bIntegers ? "; give it a format of integers, or return float4" : "; return uint4")),
-				Drydock::ExitUsage);
-		}
-		Drydock::FKernelTarget& Target = Targets[Index];
-		Target.Texture = Entry.RenderTarget->GetKernelView(Entry.MipIndex, 1, std::max(0, Entry.ArraySlice));
-		FBlendStateInitializerRHI::FRenderTarget Blend;
-		if (BlendState)
-		{
-			Blend = BlendState->GetTarget(Index);
-		}
-		Target.WriteMask = uint8(Blend.ColorWriteMask);
-		Target.bBlend = Blend.IsBlending() && !bIntegers; // Direct3D: integers do not blend
-		Target.ColorOp = Drydock::EKernelBlendOp(Blend.ColorBlendOp);
-		Target.ColorSource = Drydock::EKernelBlendFactor(Blend.ColorSrcBlend);
-		Target.ColorDest = Drydock::EKernelBlendFactor(Blend.ColorDestBlend);
-		Target.AlphaOp = Drydock::EKernelBlendOp(Blend.AlphaBlendOp);
-		Target.AlphaSource = Drydock::EKernelBlendFactor(Blend.AlphaSrcBlend);
-		Target.AlphaDest = Drydock::EKernelBlendFactor(Blend.AlphaDestBlend);
-	}
-	return Targets;
-}
-
 void FRHICommandList::DrawRect(
 	const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances)
 {

@@ -455,8 +455,8 @@ DRYDOCK_LANES_UNARY(Asinh, Impl::Asinh(x))
 DRYDOCK_LANES_UNARY(Acosh, Impl::Acosh(x))
 DRYDOCK_LANES_UNARY(Atanh, Impl::Atanh(x))
 
-/** The fraction of x, of 0.5 to below 1, and the power of two that makes x of it. Of 0, and of what a float flushes,
- * both are 0; infinities and NaN are their own fraction. */
+/** The fraction of x, of 0.5 to below 1, and the power of two that makes x of it. Both are 0 for 0 and for what a float
+ * flushes; infinities and NaN are their own fraction. */
 template<CUniform T>
 DRYDOCK_LANES_INLINE TVec<T, 2> Frexp(T X)
 {

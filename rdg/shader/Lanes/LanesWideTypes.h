@@ -275,9 +275,8 @@ DRYDOCK_LANES_INLINE auto ConvertTo(From X)
 	return MapLanes<Impl::Stored<To>, N>([&](int Lane) { return Impl::ConvertScalar<To>(FScalar(X.V[Lane])); });
 }
 
-/** What f, arithmetic of doubles, gives with denormals, which Direct3D keeps in doubles: a kernel of floats flushes
- * them. f takes its numbers by reference, and the empty statements may change them: so nothing of it moves past these.
- */
+/** Runs f, arithmetic of doubles, with denormals, which Direct3D keeps in doubles: a kernel of floats flushes them. f
+ * takes its numbers by reference, and the empty statements may change them: so nothing of it moves past these. */
 template<typename Real, typename F>
 DRYDOCK_LANES_INLINE auto KeepDenormals(const F& f)
 {
