@@ -11,10 +11,12 @@ struct FAnalysisOptions
 {
 	std::string EntryPoint;
 	EStage Stage = EStage::Compute;
-	bool bRealHalf = false;       // half is float16_t
-	std::string VirtualPath;      // of the shader, for messages without a place
-	/** "View.Foo" of a uniform buffer: the buffer's name and its members; X.Member is the variable X_Member of the text, where
-	 * the text declares no X of its own. */
+	bool bRealHalf = false;  // half is float16_t
+	bool bVectorLogic = false;    // FXC's rules: ?:, && and || take vectors, and all their sides are run
+	std::string VirtualPath; // of the shader, for messages without a place
+	bool bAllLoose = false;  // parameters at file scope that nothing names are made beside those that something does
+	/** "View.Foo" of a uniform buffer: the buffer's name and its members; X.Member is the variable X_Member of the
+	 * text, where the text declares no X of its own. */
 	std::vector<std::pair<std::string, std::vector<std::string>>> UniformBuffers;
 };
 
@@ -27,8 +29,8 @@ struct FAnalysis
 };
 
 /** Analyses what the entry reaches: functions that nothing calls are not judged, variables that nothing names are not
- * made. Every message has its file, line and column, the nearest name where one lacks, and the number of D3D's compilers
- * where people search for it ("error X3004: undeclared identifier 'Foo'; did you mean Fog?"). */
-FAnalysis Analyse(const FTree& Tree, const FAnalysisOptions& Options);
+ * made. Every message has its file, line and column, the nearest name where one lacks, and the number of D3D's
+ * compilers where people search for it ("error X3004: undeclared identifier 'Foo'; did you mean Fog?"). */
+DRYDOCK_API FAnalysis Analyse(const FTree& Tree, const FAnalysisOptions& Options);
 
 } // namespace Drydock::Hlsl

@@ -3,6 +3,7 @@
 
 #include "HlslEmitter.h"
 #include "HlslParser.h"
+#include "HlslPartialStores.h"
 
 #include <algorithm>
 
@@ -22,14 +23,8 @@ void ThrowFrontEndErrors(std::vector<FDiagnostic> Errors)
 	}
 }
 
-} // namespace
-
-std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request)
+FAnalysis AnalyseRequest(const FTree& Tree, const FShaderCompileRequest& Request)
 {
-	std::vector<FDiagnostic> Errors;
-	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
-	ThrowFrontEndErrors(std::move(Errors));
-
 	FAnalysisOptions Options;
 	Options.EntryPoint = Request.EntryPoint;
 	Options.Stage = Request.Stage == EShaderStage::Pixel    ? EStage::Pixel
@@ -38,11 +33,23 @@ std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileReque
 	Options.bRealHalf = std::ranges::any_of(
 		Request.Defines, [](const auto& Define) { return Define.first == FrontEndRealHalf && Define.second != "0"; });
 	Options.VirtualPath = Request.VirtualPath;
+	Options.bAllLoose = true;
 	for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
 	{
 		Options.UniformBuffers.emplace_back(Buffer.Name, Buffer.Members);
 	}
-	const FAnalysis Analysis = Analyse(Tree, Options);
+	return Analyse(Tree, Options);
+}
+
+} // namespace
+
+std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request)
+{
+	std::vector<FDiagnostic> Errors;
+	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
+	ThrowFrontEndErrors(std::move(Errors));
+
+	const FAnalysis Analysis = AnalyseRequest(Tree, Request);
 	ThrowFrontEndErrors(Analysis.Errors);
 
 	const FEmission Emission = Emit(*Analysis.Program);
@@ -58,11 +65,33 @@ std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileReque
 	std::vector<uint32_t> Words = Optimise(Emission.Words, Fault);
 	if (!Fault.empty())
 	{
-		FDiagnostic Error{ESeverity::Error, 6010, "the optimiser of SPIR-V failed: " + Fault, Request.VirtualPath, 0, 0,
-			"entry point " + Request.EntryPoint};
+		FDiagnostic Error{
+			ESeverity::Error, 6010, Fault, Request.VirtualPath, 0, 0, "entry point " + Request.EntryPoint};
 		ThrowFrontEndErrors({Error});
 	}
 	return Words;
+}
+
+std::vector<FDiagnostic> FindWarnings(const std::string& Text, const FShaderCompileRequest& Request)
+{
+	std::vector<FDiagnostic> Errors;
+	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
+	const FAnalysis Analysis = Errors.empty() ? AnalyseRequest(Tree, Request) : FAnalysis();
+	return Analysis.Program ? Analysis.Warnings : std::vector<FDiagnostic>();
+}
+
+std::vector<std::pair<std::string, int>> FindPartialStores(
+	const std::string& Text, const FShaderCompileRequest& Request)
+{
+	std::vector<FDiagnostic> Errors;
+	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
+	const FAnalysis Analysis = Errors.empty() ? AnalyseRequest(Tree, Request) : FAnalysis();
+	std::vector<std::pair<std::string, int>> Result;
+	for (const FPlace& Place : Analysis.Program ? ListPartialStores(*Analysis.Program) : std::vector<FPlace>())
+	{
+		Result.emplace_back(Tree.Files[Place.File], Place.Line);
+	}
+	return Result;
 }
 
 } // namespace Drydock::Hlsl

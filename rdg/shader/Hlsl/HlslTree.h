@@ -288,7 +288,11 @@ struct FTree
 		return &Pool.back();
 	}
 
+	/** A name that the text does not have. */
+	std::string_view Keep(const std::string& Name) { return Names.emplace_back(Name); }
+
 private:
+	std::deque<std::string> Names;
 	std::tuple<std::deque<FExpression>, std::deque<FStatement>, std::deque<FDeclaration>, std::deque<FStruct>,
 		std::deque<FEnum>, std::deque<FTypeName>>
 		Pools;
