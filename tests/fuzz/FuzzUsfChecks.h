@@ -89,14 +89,11 @@ inline std::string TrimEnd(const std::string& Line)
 }
 
 /** By its #line directives, every line of the flattened text that claims to be of the shader is at one that the shader
- * has; and where nothing replaces words (macros, comments, joined lines, enums, loads) it is that line itself. A text
- * that the rewrites of HLSL have changed begins with a #line before the pragma that every text gets. */
+ * has; and where nothing replaces words (macros, comments, joined lines) it is that line itself. */
 inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::string& Flattened)
 {
 	const std::string Main = NormalizeShaderText(Input.Request.GeneratedFiles[0].second);
-	std::set<std::string> Used;
-	const std::vector<std::string> Expected =
-		SplitLines(RewriteUniformBuffers(Main, Input.Request.UniformBuffers, Used));
+	const std::vector<std::string> Expected = SplitLines(Main);
 	std::string All;
 	for (const auto& [Path, Text] : Input.Request.GeneratedFiles)
 	{
@@ -104,8 +101,8 @@ inline std::string CheckLinesKeepTheirPlace(const FUsfInput& Input, const std::s
 	}
 	const std::string Pragma = "#pragma pack_matrix(row_major)";
 	const std::string Mine = " \"" + Input.Request.VirtualPath + "\"";
-	bool bPlain = Input.Request.Defines.empty() && !Flattened.starts_with("#line 1" + Mine + "\n" + Pragma);
-	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "enum", "_", "DRYDOCK", ".Load", "View\n"})
+	bool bPlain = Input.Request.Defines.empty();
+	for (const char* const Changed : {"define", "//", "/*", "\\", "SHADER", "_", "DRYDOCK"})
 	{
 		bPlain = bPlain && All.find(Changed) == std::string::npos;
 	}

@@ -33,8 +33,8 @@ struct FHlslCompiler
  * is not there, or its base name begins with none of dxc, slangc and glslang. */
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
-/** Whether DRYDOCK_HLSL_COMPILER is "drydock": the front end of rdg/shader/Hlsl reads the text, and nothing is rewritten
- * before it. */
+/** Whether DRYDOCK_HLSL_COMPILER is "drydock": the front end of rdg/shader/Hlsl reads the text, and nothing is
+ * rewritten before it. */
 DRYDOCK_API bool UsesOwnFrontEnd();
 
 /** The program that DRYDOCK_GLSLANG names, to be run in place of drydock's own front end; null where it names none. */

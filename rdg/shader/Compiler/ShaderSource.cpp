@@ -265,7 +265,8 @@ FShaderSource FFlattener::Run()
 		Result.Text = "#pragma pack_matrix(row_major)\n" + DeclarePrints(Printing);
 		for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
 		{
-			Result.Text += "#line 1 \"/Engine/Generated/UniformBuffers/" + Buffer.Name + ".ush\"\n" + Buffer.Declaration;
+			Result.Text +=
+				"#line 1 \"/Engine/Generated/UniformBuffers/" + Buffer.Name + ".ush\"\n" + Buffer.Declaration;
 		}
 		Result.Text += "\n" + Printing;
 		return std::move(Result);

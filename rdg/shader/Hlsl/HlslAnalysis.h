@@ -11,10 +11,10 @@ struct FAnalysisOptions
 {
 	std::string EntryPoint;
 	EStage Stage = EStage::Compute;
-	bool bRealHalf = false;  // half is float16_t
-	bool bVectorLogic = false;    // FXC's rules: ?:, && and || take vectors, and all their sides are run
-	std::string VirtualPath; // of the shader, for messages without a place
-	bool bAllLoose = false;  // parameters at file scope that nothing names are made beside those that something does
+	bool bRealHalf = false;    // half is float16_t
+	bool bVectorLogic = false; // FXC's rules: ?:, && and || take vectors, and all their sides are run
+	std::string VirtualPath;   // of the shader, for messages without a place
+	bool bAllLoose = false;    // parameters at file scope that nothing names are made beside those that something does
 	/** "View.Foo" of a uniform buffer: the buffer's name and its members; X.Member is the variable X_Member of the
 	 * text, where the text declares no X of its own. */
 	std::vector<std::pair<std::string, std::vector<std::string>>> UniformBuffers;

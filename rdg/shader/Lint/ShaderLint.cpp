@@ -2,7 +2,7 @@
 #include "ShaderLint.h"
 
 #include "EngineNames.h"
-#include "HlslSymbols.h"
+#include "HlslFrontEnd.h"
 #include "HlslTokens.h"
 #include "LeftOutStages.h"
 #include "LintAllowances.h"
@@ -88,46 +88,11 @@ void FLinter::LookAtText(const std::string& Source)
 	{
 		Add("not-in-engine", Each.File, Each.Line, Each.What);
 	}
-	std::multimap<std::string, FFunctionText> Functions;
-	for (const FFunctionText& Function : ListFunctionTexts(Text))
+	for (const auto& [File, Line] : Hlsl::FindPartialStores(Source, Request))
 	{
-		Functions.emplace(Text[Function.Name].Text, Function);
-	}
-	static const std::set<std::string> Derivatives = {
-		"ddx", "ddy", "ddx_coarse", "ddy_coarse", "ddx_fine", "ddy_fine", "fwidth"};
-	static const std::set<std::string> Samples = {"Sample", "SampleBias", "SampleCmp", "CalculateLevelOfDetail"};
-	std::vector<std::string> Open = {Request.EntryPoint};
-	std::set<std::string> Seen = {Request.EntryPoint};
-	while (!Open.empty())
-	{
-		const auto [First, Last] = Functions.equal_range(Open.back());
-		Open.pop_back();
-		for (auto Each = First; Each != Last; ++Each)
+		if (PartialStores.insert({File, Line}).second)
 		{
-			for (size_t At = Each->second.Body; At < Text.FindClose(Each->second.Body); ++At)
-			{
-				const std::string& Word = Text[At].Text;
-				if (!Text.IsWord(At))
-				{
-					continue;
-				}
-				if (Functions.count(Word) && Seen.insert(Word).second)
-				{
-					Open.push_back(Word);
-				}
-				const std::string& File = Text.Files[Text[At].File];
-				const int Line = Text[At].Line;
-				const bool bMember = Text.Is(At - 1, ".");
-				if (Word == GPartOfTexel && PartialStores.insert({File, Line}).second)
-				{
-					Add("partial-uav-store", File, Line, "");
-				}
-				if (Request.Stage == EShaderStage::Compute && Text.Is(At + 1, "(") &&
-					(bMember ? Samples.count(Word) : Derivatives.count(Word) && !Functions.count(Word)))
-				{
-					Add("derivative-compute", File, Line, Word);
-				}
-			}
+			Add("partial-uav-store", File, Line, "");
 		}
 	}
 }
@@ -209,11 +174,6 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 	else if (I.Op == OpImageQueryLevels)
 	{
 		AddAt("texture-levels", Module, I, "");
-	}
-	else if ((I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleExplicitLod) &&
-			 Module.GetScalarKind(I.Type, 0) != ESpirvType::Float)
-	{
-		AddAt("integer-sample", Module, I, "");
 	}
 	else if (bPixel &&
 			 (I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleDrefImplicitLod ||

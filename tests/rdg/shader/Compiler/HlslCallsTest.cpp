@@ -11,15 +11,6 @@ namespace
 
 using namespace Drydock;
 using namespace Drydock::Test;
-using testing::AllOf;
-using testing::HasSubstr;
-
-std::string ErrorsOf(const std::string& Globals, const std::string& Statement)
-{
-	const std::string Text =
-		Globals + "\n[numthreads(4, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID) {\n\t" + Statement + "\n}\n";
-	return ErrorOf([&] { ReflectShader(FShaderHarness(Text, "Main", EShaderStage::Compute).Request); });
-}
 
 } // namespace
 
@@ -90,17 +81,17 @@ TEST(HlslRewrites, ProductsOfIntegers)
 
 TEST(HlslRewrites, TypesInBuffersOfBytes)
 {
-	ExpectSnippets("struct FPart { float2 A; bool B; };\nstruct FItem { int C[2]; FPart P; float2x2 M; };\nRWByteAddressBuffer Bytes;\n",
+	ExpectSnippets("struct FPart { float2 A; bool B; };\nstruct FItem { int C[2]; FPart P; float2x2 M; };\nRWByteAddressBuffer Bytes;\n"
+		"float Read(RWByteAddressBuffer B, uint At) { return B.Load<float>(At); }\n",
 		{
 			{"vectors", "Bytes.Store<float3>(u * 64, float3(x, 2.5, -1)); float3 V = Bytes.Load<float3>(u * 64); R = V.x + V.y + V.z;", {1.5f, 2.5f, 3.5f, 4.5f}},
 			{"bits of floats", "Bytes.Store<float>(u * 64, 1.0f); R = Bytes.Load(u * 64) == 0x3f800000u;", {1}},
 			{"without the type", "Bytes.Store(u * 64, 2.0f); R = asfloat(Bytes.Load(u * 64)) + Bytes.Load<float>(u * 64);", {4}},
 			{"structs", "FItem I; I.C[0] = n; I.C[1] = -7; I.P.A = float2(x, 2); I.P.B = n > 1; I.M = float2x2(1, 2, 3, x); Bytes.Store<FItem>(u * 64, I); FItem J = Bytes.Load<FItem>(u * 64); R = J.C[0] + J.C[1] + J.P.A.y + (J.P.B ? 100 : 0) + J.M[1][1] * 1000;", {-5, 996, 2097, 3098}},
+			{"a parameter of a function", "Bytes.Store<float>(u * 64, x + 2); R = Read(Bytes, u * 64);", {2, 3, 4, 5}},
 			{"rows in memory", "Bytes.Store<float2x2>(u * 64, float2x2(1, 2, 3, x)); R = asfloat(Bytes.Load(u * 64 + 8)) * 10 + asfloat(Bytes.Load(u * 64 + 12));", {30, 31, 32, 33}},
 		},
 		[](FShaderHarness& Harness) { Harness.Buffers["Bytes"].assign(64, 0); });
-	EXPECT_THAT(ErrorsOf("RWByteAddressBuffer Bytes;\nfloat Read(RWByteAddressBuffer B) { return B.Load<float>(0); }", "Bytes.Store(0, asuint(Read(Bytes)));"),
-		AllOf(HasSubstr("Shader.usf:2"), HasSubstr("a parameter of the shader")));
 }
 
 TEST(HlslRewrites, StructsWithBases)
@@ -121,12 +112,11 @@ TEST(HlslRewrites, ChoicesOfWavesAreForThoseWhoCome)
 			{"and", "bool B = n > 1 && WaveActiveMin(x) == x; R = B;", {0, 0, 1, 0}},
 			{"or", "bool B = n > 1 || WaveActiveMax(x) == x; R = B;", {0, 1, 1, 1}},
 			{"if", "if (n > 0 && WaveActiveMin(x) == x) R = 5; else R = 7;", {7, 5, 7, 7}},
+			{"of a loop", "R = 0; for (int i = 0; i < 3 && WaveActiveAnyTrue(n > i + 1); ++i) R += 1;", {2}},
+			{"in an argument", "R = abs(n > 2 ? WaveActiveSum(-1.0f) : 0);", {0, 0, 0, 1}},
 			{"not behind one", "R = WaveActiveSum(x) > 5 ? x : 9;", {0, 1, 2, 3}},
 			{"in another argument", "R = max(n > 1 ? 1 : 2, WaveActiveSum(x));", {6}},
 			{"vectors", "float2 V = float2(x, 1); bool2 B = WaveActiveAllEqual(V); R = (B.x ? 1 : 0) + (B.y ? 10 : 0);", {10}},
 		});
-	EXPECT_THAT(ErrorsOf("RWStructuredBuffer<float> Out;", "for (int i = 0; i < 4 && WaveActiveAnyTrue(Id.x > 2); ++i) Out[i] = 1;"),
-		AllOf(HasSubstr("Shader.usf:3"), HasSubstr("write an if statement")));
-	EXPECT_THAT(ErrorsOf("RWStructuredBuffer<float> Out;", "Out[0] = abs(Id.x > 2 ? WaveActiveSum(1.0f) : 0);"), HasSubstr("write an if statement"));
 }
 // clang-format on

@@ -204,12 +204,12 @@ TEST(HlslNumbers, AreReadWithTheirTypes)
 		{"1.F", EScalar::Float, BitsOfFloat(1)}, {".5", EScalar::LiteralFloat, BitsOfDouble(0.5)},
 		{"1e3L", EScalar::Double, BitsOfDouble(1000)}, {"1e-3", EScalar::LiteralFloat, BitsOfDouble(1e-3)},
 		{"9223372036854775808", EScalar::Ulong, 1ull << 63}, {"0b101", EScalar::LiteralInt, 5},
-		{"1.#INF", EScalar::Float, BitsOfFloat(GConstantsInf)}, {"0.1", EScalar::LiteralFloat, BitsOfDouble(0.1)}, {"0.1f", EScalar::Float, BitsOfFloat(0.1f)},
-		{"08.5", EScalar::LiteralFloat, BitsOfDouble(8.5)}, {"1.1h", EScalar::MinFloat, BitsOfFloat(1.1f)},
-		{"16777217.0f", EScalar::Float, BitsOfFloat(16777216)}, {"1e39f", EScalar::Float, BitsOfFloat(GConstantsInf)},
-		{"1e-60f", EScalar::Float, 0}, {"1e400", EScalar::LiteralFloat, BitsOfDouble(INFINITY)},
-		{"1e-400", EScalar::LiteralFloat, 0}, {"1e-45f", EScalar::Float, 1},
-		{"1E+2", EScalar::LiteralFloat, BitsOfDouble(100)}};
+		{"1.#INF", EScalar::Float, BitsOfFloat(GConstantsInf)}, {"0.1", EScalar::LiteralFloat, BitsOfDouble(0.1)},
+		{"0.1f", EScalar::Float, BitsOfFloat(0.1f)}, {"08.5", EScalar::LiteralFloat, BitsOfDouble(8.5)},
+		{"1.1h", EScalar::MinFloat, BitsOfFloat(1.1f)}, {"16777217.0f", EScalar::Float, BitsOfFloat(16777216)},
+		{"1e39f", EScalar::Float, BitsOfFloat(GConstantsInf)}, {"1e-60f", EScalar::Float, 0},
+		{"1e400", EScalar::LiteralFloat, BitsOfDouble(INFINITY)}, {"1e-400", EScalar::LiteralFloat, 0},
+		{"1e-45f", EScalar::Float, 1}, {"1E+2", EScalar::LiteralFloat, BitsOfDouble(100)}};
 	for (const FExample& Example : Examples)
 	{
 		std::string Error;
