@@ -122,11 +122,7 @@ void FLinter::LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z)
 {
 	const uint64_t Threads = uint64_t(X) * Y * Z;
 	const std::string What = std::to_string(X) + " x " + std::to_string(Y) + " x " + std::to_string(Z) + " threads";
-	if (Threads > 1024 || Z > 64)
-	{
-		Add("threads-1024", {}, 0, What);
-	}
-	else if (Threads > 512)
+	if (Threads > 512)
 	{
 		Add("threads-512", {}, 0, What);
 	}

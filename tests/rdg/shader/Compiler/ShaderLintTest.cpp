@@ -143,8 +143,6 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute("Texture2D T;" + Uint, "	uint W, H; T.GetDimensions(W, H); Out[0] = W;"))},
 		{"texture-read-write", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
 			MakeRequest(Compute(Float4 + "RWTexture2D<float4> In;", "	Out[Id.xy] = In[Id.xy] * 2;"))},
-		{"threads-1024", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "64, 32, 1")),
-			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "8, 1, 64"))},
 		{"threads-512", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 32, 1")),
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 16, 1"))},
 		{"typed-uav-load", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
