@@ -130,9 +130,9 @@ void RunBloomSetupThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "122a70643eb94123")
-REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "122a70643eb94123")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "21de37f1ad9c9e7b")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "21de37f1ad9c9e7b")
+REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "76433243ac003e5e")
+REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "76433243ac003e5e")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "8cf5f7e06c6d2a7b")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "8cf5f7e06c6d2a7b")
 
 } // namespace Drydock

@@ -86,6 +86,6 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox, "66ff2790e625d5b5")
+REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox, "09a038bb5f447d68")
 
 } // namespace Drydock

@@ -52,7 +52,7 @@ void RunDownsampleThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "d08a2f6f01e65ba8")
-REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "d08a2f6f01e65ba8")
+REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "fa72e4c0a11a3c7a")
+REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "fa72e4c0a11a3c7a")
 
 } // namespace Drydock

@@ -48,7 +48,7 @@ void RunOneTap(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "b6a69e4bb19290b1")
-REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "b6a69e4bb19290b1")
+REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "cb9f35771766bdc7")
+REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "cb9f35771766bdc7")
 
 } // namespace Drydock

@@ -66,6 +66,6 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "edf20b5106d41694")
+REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "fdd4a03964199428")
 
 } // namespace Drydock

@@ -108,7 +108,7 @@ void RunDOFTileMax(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "d283497ec9b616c4")
-REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "1d32fba61e469996")
+REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "05ae5bb05e204b57")
+REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "5d7961a5b1c34c40")
 
 } // namespace Drydock

@@ -105,7 +105,7 @@ void RunFilterThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "935c480149a6e819")
-REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "935c480149a6e819")
+REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "ad09efbaee9bbf6d")
+REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "ad09efbaee9bbf6d")
 
 } // namespace Drydock

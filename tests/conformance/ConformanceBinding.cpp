@@ -62,7 +62,7 @@ FBinding::FBinding(const FPipeline& InPipeline, const FShaderReflection& Reflect
 	: Pipeline(InPipeline)
 {
 	ReadPlaces(Text);
-	PlaceTheRest(Reflection, Text);
+	PlaceTheRest(Reflection);
 	for (const FShaderConstantBuffer& Constants : Reflection.ConstantBuffers)
 	{
 		AddConstants(Constants);
@@ -131,6 +131,8 @@ void FBinding::ReadPlaces(const std::string& Text)
 		if (bName && Attributes.Name.empty())
 		{
 			Attributes.Name = Tokens[At].Text;
+			Attributes.bArray = Tokens.Is(At + 1, "[");
+			Declared.try_emplace(Attributes.Name, At);
 		}
 		if (Tokens.Is(At, "register") && Tokens.Is(At + 1, "(") && Tokens.IsWord(At + 2))
 		{
@@ -142,9 +144,43 @@ void FBinding::ReadPlaces(const std::string& Text)
 	}
 }
 
-/** Registers of what names none: the first that are free, in the order of the text. */
-void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::string& Text)
+/** Of "A_2", the resource with the index 2 of the array A: A, and the index in Index. */
+std::string FBinding::FindArray(const std::string& Name, int32_t& Index) const
 {
+	const size_t Digits = Name.find_last_not_of("0123456789") + 1;
+	const std::string Array = Name.substr(0, Digits < 1 ? 0 : Digits - 1);
+	if (Digits == Name.size() || Digits == 0 || Name[Digits - 1] != '_' || !Declared.count(Array))
+	{
+		return {};
+	}
+	Index = std::atoi(Name.c_str() + Digits);
+	return Array;
+}
+
+/** Elements of arrays get places of their own. Registers of what names none: the first that are free, in the order of
+ * the text. */
+void FBinding::PlaceTheRest(const FShaderReflection& Reflection)
+{
+	const auto AddElements = [&](const auto& List)
+	{
+		for (const auto& Resource : List)
+		{
+			int32_t Index = 0;
+			const FPlace* const Array = FindPlace(FindArray(Resource.Name, Index));
+			if (!FindPlace(Resource.Name) && Array && Array->bArray)
+			{
+				FPlace Element = *Array;
+				Element.Name = Resource.Name;
+				Element.Register += Index;
+				Places.push_back(Element);
+			}
+		}
+	};
+	AddElements(Reflection.Textures);
+	AddElements(Reflection.Buffers);
+	AddElements(Reflection.RWTextures);
+	AddElements(Reflection.RWBuffers);
+	AddElements(Reflection.ConstantBuffers);
 	std::vector<std::pair<size_t, FPlace>> Rest; // by where they stand
 	const auto Add = [&](const auto& List, char Class)
 	{
@@ -155,7 +191,10 @@ void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::stri
 				FPlace Place;
 				Place.Name = Resource.Name;
 				Place.Class = Class;
-				Rest.emplace_back(Text.find(" " + Resource.Name + " ;"), Place);
+				int32_t Index = 0;
+				const std::string Array = FindArray(Resource.Name, Index);
+				const auto Found = Declared.find(Declared.count(Resource.Name) ? Resource.Name : Array);
+				Rest.emplace_back(Found == Declared.end() ? SIZE_MAX : Found->second, Place);
 			}
 		}
 	};
@@ -163,7 +202,7 @@ void FBinding::PlaceTheRest(const FShaderReflection& Reflection, const std::stri
 	Add(Reflection.Buffers, 't');
 	Add(Reflection.RWTextures, 'u');
 	Add(Reflection.RWBuffers, 'u');
-	std::sort(Rest.begin(), Rest.end(), [](const auto& A, const auto& B) { return A.first < B.first; });
+	std::stable_sort(Rest.begin(), Rest.end(), [](const auto& A, const auto& B) { return A.first < B.first; });
 	for (auto& [At, Place] : Rest)
 	{
 		const bool bNamed = std::any_of(Pipeline.Resources.begin(), Pipeline.Resources.end(),

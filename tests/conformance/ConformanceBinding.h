@@ -5,6 +5,7 @@
 #include "ShaderKernel.h"
 #include "ShaderReflection.h"
 
+#include <map>
 #include <memory>
 
 namespace Drydock::Conformance
@@ -31,6 +32,7 @@ private:
 		int32_t Binding = -1;
 		int32_t Set = 0;
 		bool bPush = false;
+		bool bArray = false;
 	};
 	/** A buffer of the test, or one of those of an array. */
 	struct FElement
@@ -46,7 +48,8 @@ private:
 	};
 
 	void ReadPlaces(const std::string& Text);
-	void PlaceTheRest(const FShaderReflection& Reflection, const std::string& Text);
+	std::string FindArray(const std::string& Name, int32_t& Index) const;
+	void PlaceTheRest(const FShaderReflection& Reflection);
 	const FPlace* FindPlace(const std::string& Name) const;
 	const FResource* FindResource(const std::string& Name) const;
 	FElement FindBuffer(const std::string& Name) const;
@@ -60,6 +63,7 @@ private:
 
 	const FPipeline& Pipeline;
 	std::vector<FPlace> Places;
+	std::map<std::string, size_t> Declared; // names, and the token where each stands first
 	std::vector<std::unique_ptr<FMemory>> Memories;
 	std::vector<std::vector<uint8_t>> ConstantMemory;
 	std::vector<const uint8_t*> ConstantPointers;

@@ -219,7 +219,17 @@ private:
 		{
 			SuggestFunction(Error, Name);
 		}
-		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath))
+		else if (const size_t None = Error.Message.find(": there is no such function");
+				 Error.Code == 6010 && None != std::string::npos)
+		{
+			if (const std::string File = FindDeclaringFile(Name); !File.empty())
+			{
+				Error.Message.resize(None);
+				Error.Message += "; it is declared in " + File + ", which is not included";
+			}
+		}
+		else if (Error.Code == 6011 && !IsSpirvFile(Request.VirtualPath) &&
+				 Error.Message.find("did you mean") == std::string::npos)
 		{
 			Error.Message += SuggestName(Request.EntryPoint, ListFunctions(Flatten()));
 		}

@@ -298,14 +298,18 @@ FValue* FAnalyser::MakeElement(FValue* Object, FValue* Index, const FPlace& Plac
 	{
 		const bool bBytes = Kind == EObject::ByteAddressBuffer || Kind == EObject::RWByteAddressBuffer;
 		return Fail(Place, "X3121: '" + GetName(Type) + "' cannot be indexed" +
-							   (bBytes      ? "; write Load(Address) and Store(Address, Value)"
-								   : bQueue ? "; write Append(Value) and Consume()"
-								   : bCube  ? "; write SampleLevel(...)"
-											: ""));
+							   (bBytes ? "; write Load(Address) and Store(Address, Value)"
+								   : Kind == EObject::AppendStructuredBuffer  ? "; write Append(Value)"
+								   : Kind == EObject::ConsumeStructuredBuffer ? "; write Consume()"
+								   : bCube                                    ? "; write SampleLevel(...)"
+																			  : ""));
 	}
-	if (!Index->Type->IsNumeric() || Index->Type->IsMatrix() || Index->Type->bScoped)
+	const bool bIndex = Index->Type->IsNumeric() && !Index->Type->IsMatrix() && !Index->Type->bScoped;
+	if (!bIndex || (Count > 1 && Index->Type->NumComponents() < Count))
 	{
-		return Fail(Index->Place, "X3120: invalid type for index: '" + GetName(Index->Type) + "'");
+		const std::string Wanted = Count == 1 ? "uint" : "uint" + std::to_string(Count);
+		return Fail(Index->Place,
+			"X3120: invalid type for index: '" + GetName(Index->Type) + "'; '" + GetName(Type) + "' takes " + Wanted);
 	}
 	const EScalar From = Index->Type->Scalar;
 	const EScalar Scalar =

@@ -1,5 +1,6 @@
 // Runs the analysis of one entry, and puts what it found in order: messages, functions, variables, buffers.
 #include "HlslAnalysisImpl.h"
+#include "HlslUnset.h"
 
 #include <algorithm>
 #include <array>
@@ -106,8 +107,9 @@ FAnalysis FAnalyser::Run()
 		Work.pop_back();
 		AnalyseBody(*Function, *Overload);
 	}
-	WarnOfUnset();
+	AddUnusedLoose();
 	OrderFunctions();
+	WarnOfUnset();
 	Finish();
 	FAnalysis Analysis;
 	Analysis.Errors = TakeMessages(ESeverity::Error);
@@ -158,12 +160,12 @@ void FAnalyser::AnalyseBody(FFunction& Function, FOverload& Overload)
 
 void FAnalyser::WarnOfUnset()
 {
-	for (const auto& [Variable, Use] : Unset)
+	for (const FFunction* Function : bFailed ? std::vector<FFunction*>() : Program->Functions)
 	{
-		if (Use.bSet && !Variable->bWritten && !bFailed)
+		for (const auto& [Variable, Place] : FindUnset(*Function))
 		{
-			Warn(Use.Place,
-				"X4000: use of potentially uninitialized variable '" + Variable->Name + "': nothing sets it");
+			Warn(Place, "X4000: use of potentially uninitialized variable '" + Variable->Name +
+							"': " + (Variable->bWritten ? "not every path to here sets it" : "nothing sets it"));
 		}
 	}
 }

@@ -5,6 +5,7 @@
 #include "HlslConstants.h"
 #include "HlslConversions.h"
 #include "HlslIntrinsics.h"
+#include "HlslSymbols.h"
 #include "HlslTree.h"
 
 #include <deque>
@@ -14,142 +15,6 @@
 
 namespace Drydock::Hlsl
 {
-
-struct FNameScope;
-struct FSymbol;
-struct FStructInfo;
-
-/** What a name stands for. */
-enum class ESymbol : uint8_t
-{
-	Variable,  // of a file, a namespace, a block; static members
-	Field,     // of a struct: Index
-	Functions, // Overloads
-	Struct,    // a template where Declaration->bTemplate
-	Enum,
-	Enumerator, // of Owner, or with Value
-	Alias,      // typedef, using
-	Type,       // an argument of a template
-	Namespace,  // Inner
-};
-
-/** What stands for a parameter of a template. */
-struct FTemplateValue
-{
-	const FType* Type = nullptr; // of the value where there is one
-	FValue* Value = nullptr;     // a Constant
-
-	bool operator==(const FTemplateValue& Other) const
-	{
-		return Type == Other.Type && !Value == !Other.Value && (!Value || Value->Constant == Other.Value->Constant);
-	}
-};
-
-/** One function of a name, or one instance of a template of functions. */
-struct FOverload
-{
-	const FDeclaration* Declaration = nullptr; // with a body where one is known
-	FNameScope* Scope = nullptr;
-	FStructInfo* Struct = nullptr; // whose method it is
-	uint32_t Order = 0;            // what stands before this in the text cannot call it
-	uint32_t BodyOrder = 0;        // the body cannot name what stands behind this
-	bool bSigned = false;          // Result, Parameters and Declared are known
-	bool bBad = false;             // and were wrong
-	bool bOutside = false;         // of a template's struct, and defined outside of it
-	bool bMerged = false;          // another one of the same parameters stands for it
-	const FType* Result = nullptr;
-	std::vector<FParameterType> Parameters;
-	std::vector<const FDeclaration*> Declared; // the parameters
-	std::vector<const FDeclaration*> Defaults; // those with a value, or null
-	std::string Arguments;                     // "<float, 2>" of an instance
-	FOverload* Template = nullptr;             // whose instance it is
-	int Depth = 0;                             // of instances that call instances
-	std::map<std::string, FOverload*> Instances;
-	std::map<const FType*, FFunction*> Made; // by the type of `this`
-};
-
-struct FSymbol
-{
-	ESymbol Kind = ESymbol::Variable;
-	std::string_view Name;
-	FNameScope* Scope = nullptr;               // in which it stands
-	const FDeclaration* Declaration = nullptr; // null: a struct or an enum in a type's place
-	const FDeclaration* Buffer = nullptr;      // the cbuffer around it
-	const FDeclaration* Definition = nullptr;  // of a static member, outside of its struct
-	const FStruct* Struct = nullptr;
-	const FEnum* Enum = nullptr;
-	FPlace Place;
-	uint32_t Order = 0; // what stands before this in the text cannot name it; 0: all can
-	uint32_t Index = 0;
-	bool bBusy = false;     // to find what depends on itself
-	bool bPrepared = false; // Overloads are signed and merged
-	FVariable* Variable = nullptr;
-	const FType* Type = nullptr;
-	FValue* Value = nullptr;
-	FSymbol* Owner = nullptr;
-	FNameScope* Inner = nullptr; // of namespaces and enums
-	FStructInfo* Info = nullptr;
-	std::vector<FOverload*> Overloads;
-	std::vector<FOverload*> Specializations;  // of functions
-	std::vector<const FDeclaration*> Special; // of structs
-	std::vector<const FDeclaration*> Outside; // members of a template that are defined outside of it
-	std::map<std::string, FStructInfo*> Instances;
-};
-
-enum class EScopeKind : uint8_t
-{
-	File,
-	Namespace,
-	Struct,
-	Template, // the arguments of an instance
-	Block,
-};
-
-/** `using namespace A;` or `using A::B;`. */
-struct FUsing
-{
-	const FDeclaration* Declaration = nullptr;
-	uint32_t Order = 0;
-	bool bResolved = false;
-	FSymbol* Target = nullptr;
-	FNameScope* Where = nullptr;
-};
-
-struct FNameScope
-{
-	EScopeKind Kind = EScopeKind::File;
-	FNameScope* Parent = nullptr;
-	std::string Prefix; // "N::S::"
-	std::unordered_map<std::string_view, FSymbol> Symbols;
-	FStructInfo* Struct = nullptr;
-	uint32_t NumFields = 0; // of a struct, its own
-	std::vector<FUsing> Usings;
-	const FFunction* Function = nullptr; // of a block
-};
-
-/** A struct, or an instance of a template of structs. */
-struct FStructInfo
-{
-	const FStruct* Tree = nullptr;
-	FNameScope* Scope = nullptr; // its members
-	std::string Name;
-	uint32_t Order = 0;
-	const FType* Type = nullptr; // once its members are known
-	FStructInfo* Base = nullptr;
-	bool bBusy = false;
-	uint64_t NumLeaves = 0;
-	FSymbol* Template = nullptr;
-	std::vector<FTemplateValue> Arguments;
-};
-
-/** What is known of a template's arguments. */
-struct FDeduction
-{
-	const FDeclaration* Template = nullptr;
-	std::vector<std::optional<FTemplateValue>> Values;
-	size_t NumGiven = 0; // those that are written, and not deduced
-	std::string Why;     // there are no such arguments
-};
 
 /** Where the analysis stands. */
 struct FPosition
@@ -210,6 +75,7 @@ private:
 	std::vector<FDiagnostic> TakeMessages(ESeverity Severity);
 	void AnalyseBody(FFunction& Function, FOverload& Overload);
 	void WarnOfUnset();
+	void CheckRegisters(const FVariable& Variable, const FDeclaration& Declaration);
 	void OrderFunctions();
 	void VisitCalls(FFunction* Root, std::map<const FFunction*, int>& State);
 	void Finish();
@@ -256,6 +122,7 @@ private:
 	void SetConstant(FVariable& Variable);
 	void MakeBuffer(const FDeclaration& Buffer, FNameScope& Scope);
 	void AddLoose(FVariable& Variable, const FDeclaration& Declaration);
+	void AddUnusedLoose();
 	void ReadOffset(FVariable& Variable, const FDeclaration& Declaration);
 	void CheckAssert(const FDeclaration& Declaration);
 	std::optional<int64_t> FindInteger(const FExpression& Tree, const std::string& What);
@@ -300,6 +167,7 @@ private:
 	FCode* MakeFirstTime(FVariable& Variable, FCode& First);
 	void InitialiseLocal(const FDeclaration& Declaration, FVariable& Variable, std::vector<FCode*>& Code);
 	void ReadAttributes(const FStatement& Statement, FCode& Code);
+	bool IsRuntime(const FValue& Value) const;
 	FCode* MakeCode(EStep Step, const FPlace& Place);
 
 	// HlslExpressions.cpp
@@ -405,6 +273,7 @@ private:
 	void ReadEntryAttributes(const FDeclaration& Declaration);
 	void ReadGroupSize(const FDeclaration& Declaration, const FAttribute& Attribute);
 	void AddParameters(FFunction& Function, FOverload& Overload, bool bEntry);
+	void CheckStageValues(const FFunction& Function);
 	void AddEntryParameter(FVariable& Variable, const FDeclaration& Declaration);
 	void CheckSemantics(const FType* Type, const std::string& Name, const FPlace& Place);
 	std::string FindSemantic(const std::vector<FAnnotation>& Annotations) const;
@@ -416,11 +285,6 @@ private:
 		FPlace Place;
 		std::string Text;
 		std::vector<int> OtherLines;
-	};
-	struct FUse
-	{
-		FPlace Place;
-		bool bSet = false;
 	};
 	struct FMade
 	{
@@ -456,7 +320,6 @@ private:
 	FPosition Here;
 	std::vector<std::pair<FFunction*, FOverload*>> Work; // bodies to be analysed
 	std::map<const FFunction*, std::vector<std::pair<FFunction*, FPlace>>> Calls;
-	std::map<FVariable*, FUse> Unset; // locals without a value, where they are read
 	std::vector<FMade> Statics;
 	std::vector<FMade> Resources;
 	std::vector<FMade> Loose;

@@ -44,8 +44,10 @@ bool FAnalyser::CheckStage(std::string_view Name, bool bMethod, const FPlace& Pl
 	}
 	if (Options.Stage != EStage::Pixel && !bMethod && (IsOneOf(Name, Derivatives) || Name == "clip"))
 	{
-		Error(Place, "X4532: " + Quoted + " in " + Stage + " is an error: only pixel shaders have " +
-						 (Name == "clip" ? "pixels to discard; write return" : "neighbours to take a difference from"));
+		Error(Place,
+			"X4532: " + Quoted + " in " + Stage + " is an error: only pixel shaders have " +
+				(Name == "clip" ? "pixels to discard; write return"
+								: "neighbours to take a difference from; compute the step from the size of a texel"));
 		return false;
 	}
 	if (Options.Stage != EStage::Compute && !bMethod && IsOneOf(Name, GroupBarriers))
@@ -146,6 +148,11 @@ FValue* FAnalyser::CallResource(const FExpression& Tree, FValue* Object)
 	if (!CheckStage(Part.Text, true, Member.Place))
 	{
 		return MakeError(Member.Place);
+	}
+	if (Part.Text.starts_with("Sample") && Object->Type->Element && !IsReal(Object->Type->Element->Scalar))
+	{
+		return Fail(Member.Place, "X4582: cannot sample from non-floating point texture formats: '" +
+									  GetName(Object->Type) + "'; write Load(int3(Position, 0))");
 	}
 	if (IsWritable(Object->Type->Object))
 	{

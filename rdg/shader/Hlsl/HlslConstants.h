@@ -9,10 +9,10 @@ namespace Drydock::Hlsl
 /** The constant that a value is, if all it depends on is: Constant, Variable with a constant, Member, Index, Swizzle,
  * Elements, Unary, Binary, And, Or, Choose, Select, Convert, Compose, Zero, Cast, Comma, pure Intrinsic. Nothing where
  * it is not constant, or where the operation has no defined result (integer division by 0: Error says so). */
-std::optional<FConstant> Fold(FTypes& Types, const FValue& Value, std::string* Error = nullptr);
+DRYDOCK_API std::optional<FConstant> Fold(FTypes& Types, const FValue& Value, std::string* Error = nullptr);
 
 /** Another scalar's bits of the same number, as Convert does at run time. */
-uint64_t ConvertConstant(const FTypes& Types, EScalar From, EScalar To, uint64_t Bits);
+DRYDOCK_API uint64_t ConvertConstant(const FTypes& Types, EScalar From, EScalar To, uint64_t Bits);
 
 /** The number of a literal: "1.5f", "0x10u", "07", "1e3L", "10ll"; its type by its suffix. Nothing where it is
  * malformed or too large, with Error. bRealHalf: what FTypes has; "1.5h" is a Half then, else a MinFloat (what `half`
@@ -22,6 +22,6 @@ struct FNumber
 	EScalar Scalar = EScalar::LiteralInt;
 	uint64_t Bits = 0;
 };
-std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, bool bRealHalf = false);
+DRYDOCK_API std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, bool bRealHalf = false);
 
 } // namespace Drydock::Hlsl

@@ -201,12 +201,11 @@ FConversion FindConversion(FTypes& Types, const FType* From, const FType* To, bo
 
 EScalar MeetScalars(EScalar A, EScalar B)
 {
-	const auto Promote = [](EScalar Scalar)
+	if (A == EScalar::Bool || B == EScalar::Bool)
 	{
-		return Scalar == EScalar::Bool ? EScalar::Int : Scalar;
-	};
-	A = Promote(A);
-	B = Promote(B);
+		const EScalar Other = A == EScalar::Bool ? B : A;
+		return Other == EScalar::Bool || Other == EScalar::LiteralInt ? EScalar::Int : Other;
+	}
 	if (IsLiteral(A) && IsLiteral(B))
 	{
 		return std::max(A, B); // 1 + 1.0 is a literal float
@@ -221,11 +220,10 @@ EScalar MeetScalars(EScalar A, EScalar B)
 	{
 		return std::max(A, B); // reals stand behind integers, in the order of their size
 	}
-	const auto GetSize = [](EScalar Scalar)
-	{
-		return (uint32_t(Scalar) - uint32_t(EScalar::MinInt)) / 2;
-	};
-	return GetSize(A) != GetSize(B) ? (GetSize(A) > GetSize(B) ? A : B) : std::max(A, B);
+	// The larger one, without a sign where one has none.
+	const EScalar Larger = std::max(A, B);
+	const bool bSigned = (uint32_t(Larger) - uint32_t(EScalar::MinInt)) % 2 == 0;
+	return bSigned && (IsUnsigned(A) || IsUnsigned(B)) ? EScalar(uint32_t(Larger) + 1) : Larger;
 }
 
 const FType* MeetTypes(FTypes& Types, const FType* A, const FType* B, bool& bTruncates, std::string& Error)
@@ -258,7 +256,7 @@ const FType* MeetTypes(FTypes& Types, const FType* A, const FType* B, bool& bTru
 	}
 	if (Down == EReshape::Regroup)
 	{
-		return Types.WithScalar(A->IsScalar() ? B : A, Scalar);
+		return Types.WithScalar(B->IsScalar() ? B : A, Scalar); // a scalar and a vector of one are a scalar
 	}
 	if (Down == EReshape::Cut || Up == EReshape::Cut)
 	{

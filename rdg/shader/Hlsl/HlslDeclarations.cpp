@@ -115,6 +115,20 @@ const FType* FAnalyser::FindDeclaredType(const FDeclaration& Declaration, bool b
 									 (bVoid ? "': variables cannot be void" : "': strings have no variables"));
 		return Types->Error();
 	}
+	const uint32_t Modifiers = Declaration.Modifiers;
+	const FType* Inner = Type;
+	while (Inner->IsArray())
+	{
+		Inner = Inner->Element;
+	}
+	if (Modifiers & (ModifierRowMajor | ModifierColumnMajor) && Inner->IsNumeric() && !Inner->IsMatrix())
+	{
+		Error(Declaration.Type->Place, "X3077: non-matrix types cannot be declared 'row_major' or 'column_major'");
+	}
+	if (Modifiers & (ModifierUnorm | ModifierSnorm) && Inner->IsNumeric() && !IsReal(Inner->Scalar))
+	{
+		Error(Declaration.Type->Place, "X3085: unorm and snorm are of floats, not of '" + GetName(Inner) + "'");
+	}
 	const bool bOpen = Type->IsArray() && Type->Count == 0;
 	if (bParameter && bOpen)
 	{
@@ -277,7 +291,7 @@ const FType* FAnalyser::FindObjectType(const FTypeName& Name, EObject Object)
 	const FNamePart& Part = Name.Name.Parts[0];
 	const bool bTexel = IsTexture(Object) || Object == EObject::Buffer || Object == EObject::RWBuffer;
 	const bool bStruct = Object == EObject::ConstantBuffer || Object == EObject::TextureBuffer;
-	const FType* Element = bTexel ? Types->Vector(EScalar::Float, 4) : nullptr;
+	const FType* Element = bTexel && !IsWritable(Object) ? Types->Vector(EScalar::Float, 4) : nullptr;
 	if (Object == EObject::Unsupported)
 	{
 		return Types->Object(Object, Part.Text, nullptr);
@@ -307,6 +321,12 @@ const FType* FAnalyser::FindObjectType(const FTypeName& Name, EObject Object)
 		return Types->Error();
 	}
 	const bool bBadTexel = bTexel && (!Element->IsNumeric() || Element->IsMatrix() || Element->NumComponents() > 4);
+	if (bTexel && !bBadTexel && Types->GetBits(Element->Scalar) * Element->NumComponents() > 128)
+	{
+		Error(Name.Place, "X3037: elements of typed buffers and textures must fit in four 32-bit quantities, which '" +
+							  GetName(Element) + "' does not; use a StructuredBuffer");
+		return Types->Error();
+	}
 	if (Element->Kind == EType::Error || bBadTexel || (bStruct && !Element->IsStruct()) || HasObject(Element) ||
 		Element->Kind == EType::Void)
 	{

@@ -306,9 +306,15 @@ FWords FEmitter::Run()
 FEmission Emit(const FProgram& Program)
 {
 	FEmission Emission;
+	FEmitter Emitter(Program);
 	try
 	{
-		Emission.Words = FEmitter(Program).Run();
+		Emission.Words = Emitter.Run();
+	}
+	catch (const FModuleFault&)
+	{
+		Emission.Error = "more than 65000 values make one array, struct or switch here; split it";
+		Emission.Place = Emitter.GetPlace();
 	}
 	catch (const FEmitFault& Fault)
 	{

@@ -13,9 +13,9 @@ struct FEmission
 	FPlace Place;
 };
 
-/** SPIR-V of the version that glslang made (1.0; 1.3 with waves) with the names, decorations, lines and functions of the
- * text. Each function is a function of SPIR-V, one for each set of resources that it is called with. OptimiseHlsl inlines
- * them. */
+/** SPIR-V of the version that glslang made (1.0; 1.3 with waves) with the names, decorations, lines and functions of
+ * the text. Each function is a function of SPIR-V, one for each set of resources that it is called with. OptimiseHlsl
+ * inlines them. */
 FEmission Emit(const FProgram& Program);
 
 /** The module with all calls inlined and local variables as values, by SPIRV-Tools; arithmetic of floats is left as it

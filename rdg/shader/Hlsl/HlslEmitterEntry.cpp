@@ -185,8 +185,7 @@ uint32_t FEmitter::WriteEntry()
 	{
 		if (CountScalars(Parameter->Type) == 0)
 		{
-			Fail(Parameter->Place, "the entry point cannot have the parameter '" + Parameter->Name +
-									   "'; declare it outside of the function");
+			continue; // a struct without members
 		}
 		Ids.push_back(Temporary(TypeOf(Parameter->Type), "param"));
 		const bool bIn = !(Parameter->Modifiers & ModifierOut) || (Parameter->Modifiers & ModifierIn);
@@ -199,13 +198,14 @@ uint32_t FEmitter::WriteEntry()
 	}
 	const bool bValue = CountScalars(Entry.Result) > 0;
 	const uint32_t Result = Op(OpFunctionCall, bValue ? TypeOf(Entry.Result) : Void, Ids);
-	for (size_t i = 0; i < Entry.Parameters.size(); ++i)
+	for (size_t i = 0, At = 0; i < Entry.Parameters.size(); ++i)
 	{
 		const FVariable& Parameter = *Entry.Parameters[i];
-		if (Parameter.Modifiers & ModifierOut)
+		At += CountScalars(Parameter.Type) > 0 ? 1 : 0;
+		if (Parameter.Modifiers & ModifierOut && CountScalars(Parameter.Type) > 0)
 		{
 			WriteOutput(Parameter.Type, {Parameter.Name, Parameter.Semantic, Parameter.Modifiers, 0, true},
-				Op(OpLoad, TypeOf(Parameter.Type), {Ids[i + 1]}));
+				Op(OpLoad, TypeOf(Parameter.Type), {Ids[At]}));
 		}
 	}
 	if (bValue)

@@ -120,6 +120,7 @@ public:
 	}
 
 	FWords Run();
+	const FPlace& GetPlace() const { return Current; }
 
 private:
 	// HlslEmitter.cpp: functions
@@ -277,7 +278,8 @@ private:
 	uint32_t Reinterpret(const FValue& Value, const FArguments& In);
 	uint32_t Parting(const FValue& Value, const FArguments& In); // modf, frexp, sincos
 	uint32_t Packing(const FValue& Value, const FArguments& In);
-	uint32_t FirstBit(const FValue& Value, const FArguments& In);
+	uint32_t OfBits(const FValue& Value, const FArguments& In);
+	uint32_t OfWord(std::string_view Name, EScalar Scalar, uint32_t Count, uint32_t Id);
 	uint32_t Lighting(const FValue& Value, const FArguments& In); // lit, dst
 	uint32_t Bytes(const FValue& Value, const FArguments& In);    // msad4, dot4add, AddUint64
 	uint32_t Simple(const FValue& Value, const FArguments& In);

@@ -27,7 +27,7 @@ constexpr FEmitExtended EmitExtended[] = {
 	{"atan", ExtAtan},
 	{"atan2", ExtAtan2},
 	{"ceil", ExtCeil},
-	{"clamp", ExtNClamp, ExtSClamp, ExtUClamp},
+	{"clamp", ExtNClamp, ExtSMax, ExtUMax}, // of integers, min(max()): bounds in the wrong order leave the upper one
 	{"cos", ExtCos},
 	{"cosh", ExtCosh},
 	{"cross", ExtCross},
@@ -118,7 +118,7 @@ uint32_t FEmitter::Intrinsic(const FValue& Node)
 		   : Name == "all" || Name == "any" ? AllOrAny(Node, In)
 		   : Name == "transpose"            ? Transpose(Node, In)
 		   : Name == "lit" || Name == "dst" ? Lighting(Node, In)
-		   : Name.starts_with("firstbit")   ? FirstBit(Node, In)
+		   : Name.starts_with("firstbit") || Name == "countbits" || Name == "reversebits" ? OfBits(Node, In)
 		   : Name.starts_with("pack_") || Name.starts_with("unpack_") || Name == "f16tof32" || Name == "f32tof16"
 			   ? Packing(Node, In)
 		   : Name == "msad4" || Name.starts_with("dot") || Name == "AddUint64" ? Bytes(Node, In)
@@ -141,6 +141,13 @@ bool FEmitter::Extended(const FValue& Node, const FArguments& In, uint32_t& Resu
 			Arithmetic("+", Node.Type, Arithmetic("*", Node.Type, In[0].Id, In[1].Id, Node.Type), In[2].Id, Node.Type);
 		return true;
 	}
+	if (Node.Name == "lerp" &&
+		Bits(In[0].Type->Scalar) > 16) // the optimiser makes X of FMix(X, Y, 0), though Y is infinite
+	{
+		const uint32_t Way = Arithmetic("-", Node.Type, In[1].Id, In[0].Id, Node.Type);
+		Result = Arithmetic("+", Node.Type, In[0].Id, Arithmetic("*", Node.Type, In[2].Id, Way, Node.Type), Node.Type);
+		return true;
+	}
 	if (Number == 0) // abs of what has no sign
 	{
 		Result = In[0].Id;
@@ -148,7 +155,14 @@ bool FEmitter::Extended(const FValue& Node, const FArguments& In, uint32_t& Resu
 	}
 	Result = bScalarOf ? Ext(Number, TypeOf(Node.Type), In.size() > 1 ? FWords{In[0].Id, In[1].Id} : FWords{In[0].Id})
 					   : ByRows(Node.Type, In,
-							 [&](const FType* Part, const FWords& Ids) { return Ext(Number, TypeOf(Part), Ids); });
+							 [&](const FType* Part, const FWords& Ids)
+							 {
+								 const bool bClamp = Ids.size() == 3 && (Number == ExtSMax || Number == ExtUMax);
+								 const uint32_t Type = TypeOf(Part);
+								 return bClamp ? Ext(Number == ExtSMax ? ExtSMin : ExtUMin, Type,
+													 {Ext(Number, Type, {Ids[0], Ids[1]}), Ids[2]})
+											   : Ext(Number, Type, Ids);
+							 });
 	return true;
 }
 
@@ -285,19 +299,6 @@ uint32_t FEmitter::Reinterpret(const FValue& Node, const FArguments& In)
 		{ return ScalarType(Part->Scalar) == ScalarType(Of->Scalar) ? Ids[0] : Op(OpBitcast, TypeOf(Part), Ids); });
 }
 
-uint32_t FEmitter::FirstBit(const FValue& Node, const FArguments& In)
-{
-	const FType* const Of = In[0].Type;
-	const uint32_t Number = Node.Name == "firstbitlow"              ? ExtFindILsb
-							: KindOf(Of->Scalar) == ENumber::Signed ? ExtFindSMsb
-																	: ExtFindUMsb;
-	const uint32_t Id =
-		ByRows(Of, In, [&](const FType* Part, const FWords& Ids) { return Ext(Number, TypeOf(Part), Ids); });
-	// Where no bit is set it is -1, of any width.
-	const FType* const Signed = Types.WithScalar(Of, Bits(Of->Scalar) == 16 ? EScalar::Short : Of->Scalar);
-	return Convert(Convert(Id, Of, Signed), Signed, Node.Type);
-}
-
 uint32_t FEmitter::Derivative(const FValue& Node, const FArguments& In)
 {
 	const std::string_view Name = Node.Name;
@@ -414,16 +415,6 @@ uint32_t FEmitter::Component(const FValue& Node, const FType* Part, const FWords
 	if (Name == "and" || Name == "or")
 	{
 		return Op(Name == "and" ? OpLogicalAnd : OpLogicalOr, Type, Ids);
-	}
-	if (Name == "reversebits")
-	{
-		return Op(OpBitReverse, Type, Ids);
-	}
-	if (Name == "countbits")
-	{
-		const EScalar Scalar = Node.Operands[0]->Type->Scalar;
-		const uint32_t Id = Op(OpBitCount, VectorOf(Scalar, Part->Columns), Ids);
-		return ConvertScalars(Id, Scalar, Part->Scalar, Part->Columns);
 	}
 	Fail(Node.Place, "'" + std::string(Name) + "' does not run on the CPU tier; write it in another way");
 }

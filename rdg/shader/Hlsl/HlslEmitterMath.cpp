@@ -79,6 +79,84 @@ uint32_t FEmitter::Parting(const FValue& Node, const FArguments& In)
 	return Convert(Fraction, Floats, Node.Type);
 }
 
+/** firstbithigh, firstbitlow, countbits or reversebits of integers of 32 bits. */
+uint32_t FEmitter::OfWord(std::string_view Name, EScalar Scalar, uint32_t Count, uint32_t Id)
+{
+	const uint32_t Type = VectorOf(Scalar, Count);
+	return Name == "countbits"     ? Op(OpBitCount, Type, {Id})
+		   : Name == "reversebits" ? Op(OpBitReverse, Type, {Id})
+		   : Name == "firstbitlow" ? Ext(ExtFindILsb, Type, {Id})
+								   : Ext(Scalar == EScalar::Int ? ExtFindSMsb : ExtFindUMsb, Type, {Id});
+}
+
+/** SPIR-V has them for 32 bits: 16 are widened, of 64 each half is looked at. No bit at all is -1. */
+uint32_t FEmitter::OfBits(const FValue& Node, const FArguments& In)
+{
+	const std::string_view Name = Node.Name;
+	const EScalar Scalar = In[0].Type->Scalar;
+	const uint32_t Width = Bits(Scalar);
+	const bool bSigned = KindOf(Scalar) == ENumber::Signed;
+	const bool bHigh = Name == "firstbithigh";
+	const auto OfRow = [&](const FType* Part, const FWords& Ids)
+	{
+		const uint32_t Count = Part->Columns;
+		const uint32_t Word = VectorOf(EScalar::Uint, Count);
+		const auto To = [&](uint32_t Id, EScalar From)
+		{
+			return ConvertScalars(Id, From, Part->Scalar, Count);
+		};
+		const auto Number = [&](uint32_t Value)
+		{
+			return Splat(Module.Uint(Value), Module.Uint(), Count);
+		};
+		if (Width == 32)
+		{
+			const EScalar Own = bSigned ? EScalar::Int : EScalar::Uint;
+			return To(OfWord(Name, Own, Count, Ids[0]), Own);
+		}
+		if (Width == 16)
+		{
+			const bool bKeepSign = bHigh && bSigned;
+			const EScalar Wide = bKeepSign ? EScalar::Int : EScalar::Uint;
+			const EScalar Narrow = bKeepSign ? EScalar::Short : EScalar::Ushort;
+			const uint32_t Same = ConvertScalars(Ids[0], Scalar, Narrow, Count);
+			const uint32_t Found = OfWord(Name, Wide, Count, ConvertScalars(Same, Narrow, Wide, Count));
+			return To(Name == "reversebits" ? Op(OpShiftRightLogical, Word, {Found, Number(16)}) : Found, Wide);
+		}
+		const uint32_t Long = VectorOf(EScalar::Ulong, Count);
+		const uint32_t HalfWidth = Splat(ScalarConstant(EScalar::Ulong, 32), ScalarType(EScalar::Ulong), Count);
+		uint32_t Id = Ids[0];
+		if (bHigh && bSigned) // the highest bit that is not the sign
+		{
+			const uint32_t Last = Splat(ScalarConstant(Scalar, 63), ScalarType(Scalar), Count);
+			const uint32_t Own = VectorOf(Scalar, Count);
+			Id = Op(OpBitwiseXor, Own, {Id, Op(OpShiftRightArithmetic, Own, {Id, Last})});
+		}
+		Id = ConvertScalars(Id, Scalar, EScalar::Ulong, Count);
+		const uint32_t LowHalf = ConvertScalars(Id, EScalar::Ulong, EScalar::Uint, Count);
+		const uint32_t HighHalf =
+			ConvertScalars(Op(OpShiftRightLogical, Long, {Id, HalfWidth}), EScalar::Ulong, EScalar::Uint, Count);
+		const uint32_t Low = OfWord(Name, EScalar::Uint, Count, LowHalf);
+		const uint32_t High = OfWord(Name, EScalar::Uint, Count, HighHalf);
+		if (Name == "countbits")
+		{
+			return To(Op(OpIAdd, Word, {Low, High}), EScalar::Uint);
+		}
+		if (Name == "reversebits")
+		{
+			const uint32_t Upper = ConvertScalars(Low, EScalar::Uint, EScalar::Ulong, Count);
+			const uint32_t Lower = ConvertScalars(High, EScalar::Uint, EScalar::Ulong, Count);
+			const uint32_t Shifted = Op(OpShiftLeftLogical, Long, {Upper, HalfWidth});
+			return To(Op(OpBitwiseOr, Long, {Shifted, Lower}), EScalar::Ulong);
+		}
+		const uint32_t Above = Op(OpBitwiseOr, Word, {High, Number(32)}); // -1 stays -1
+		const uint32_t None = Op(OpIEqual, VectorOf(EScalar::Bool, Count), {bHigh ? HighHalf : LowHalf, Number(0)});
+		return To(
+			bHigh ? Op(OpSelect, Word, {None, Low, Above}) : Op(OpSelect, Word, {None, Above, Low}), EScalar::Uint);
+	};
+	return ByRows(Node.Type, In, OfRow);
+}
+
 uint32_t FEmitter::Lighting(const FValue& Node, const FArguments& In)
 {
 	const EScalar Scalar = Node.Type->Scalar;

@@ -277,7 +277,7 @@ uint32_t FEmitter::Fetch(const FValue& Node)
 	const size_t OffsetAt = bMultisampled ? 3 : 2;
 	if (OffsetAt < Node.Operands.size() && bLevel)
 	{
-		if (KindOf(Node.Operands[OffsetAt]->Type->Scalar) != ENumber::Signed)
+		if (KindOf(Node.Operands[OffsetAt]->Type->Scalar) != ENumber::Signed || Node.Operands.size() > OffsetAt + 1)
 		{
 			Fail(Node.Place, "no texture is tiled here, so that a load has no status; leave that argument out");
 		}

@@ -227,7 +227,9 @@ FObjects FEmitter::ElementObjects(const FValue& Node, bool bEmit)
 	{
 		if (!bKnown || Whole.Kind != EValue::Variable || Whole.Variable->Storage != EStorage::Resource)
 		{
-			Fail(Node.Place, "an array of resources without a size needs a literal as its index; give it a size");
+			const std::string Name = Whole.Kind == EValue::Variable ? " '" + Whole.Variable->Name + "'" : "";
+			Fail(Node.Place,
+				"the array" + Name + " of resources without a size needs a literal as its index; give it a size");
 		}
 		return UnboundedLeaves(*Whole.Variable, uint32_t(Index.Constant.at(0)), Node.Place);
 	}

@@ -113,7 +113,7 @@ uint32_t FEmitter::Wave(const FValue& Node, const FArguments& In)
 		Module.Capability(CapabilityGroupNonUniformVote);
 		return Op(Name == "WaveActiveAllTrue" ? OpGroupNonUniformAll : OpGroupNonUniformAny, Bool, {Scope, In[0].Id});
 	}
-	if (Name == "WaveActiveBallot" || Name.ends_with("CountBits"))
+	if (Name == "WaveActiveBallot" || Name == "WaveActiveCountBits" || Name == "WavePrefixCountBits")
 	{
 		Module.Capability(CapabilityGroupNonUniformBallot);
 		const uint32_t Ballot = Op(OpGroupNonUniformBallot, VectorOf(EScalar::Uint, 4), {Scope, In[0].Id});

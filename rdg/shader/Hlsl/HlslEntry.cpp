@@ -85,7 +85,51 @@ void FAnalyser::AnalyseEntry()
 	{
 		CheckSemantics(Function->Result, "what '" + Function->Name + "' returns", Declaration.Place);
 	}
+	CheckStageValues(*Function);
 	Work.emplace_back(Function, Overload);
+}
+
+/** A semantic stands once among the inputs and once among the outputs. */
+void FAnalyser::CheckStageValues(const FFunction& Function)
+{
+	std::set<std::string> Seen[2];
+	std::vector<std::string> Names;
+	const auto AddNames = [&](auto&& Self, const FType* Type, const std::string& Semantic) -> void
+	{
+		if (Type->IsStruct() && Semantic.empty())
+		{
+			for (const FMember& Member : Type->Struct->Members)
+			{
+				Self(Self, Member.Type, Member.Semantic);
+			}
+			return;
+		}
+		Names.push_back(Semantic);
+	};
+	const auto AddAll = [&](const FType* Type, const std::string& Semantic, const FPlace& Place, bool bOutput)
+	{
+		Names.clear();
+		AddNames(AddNames, Type, Semantic);
+		for (const std::string& Name : Names)
+		{
+			if (!Name.empty() && !Seen[bOutput].insert(Name).second)
+			{
+				Error(Place, "X3000: the semantic '" + Name + "' stands twice among the " +
+								 (bOutput ? "outputs" : "inputs") + " of the entry; give each an index of its own");
+			}
+		}
+	};
+	for (const FVariable* Parameter : Function.Parameters)
+	{
+		for (const bool bOutput : {false, true})
+		{
+			if (Parameter->Modifiers & (bOutput ? ModifierOut : ModifierIn))
+			{
+				AddAll(Parameter->Type, Parameter->Semantic, Parameter->Place, bOutput);
+			}
+		}
+	}
+	AddAll(Function.Result, Function.Semantic, Function.Place, true);
 }
 
 void FAnalyser::AddParameters(FFunction& Function, FOverload& Overload, bool bEntry)

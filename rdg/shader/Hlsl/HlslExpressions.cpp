@@ -72,7 +72,7 @@ FValue* FAnalyser::AnalyseKind(const FExpression& Tree)
 		FValue* const Result = Make(EValue::Comma, Right->Type, Tree.Place, {Left, Right});
 		Result->bPlace = Right->bPlace;
 		Result->bConst = Right->bConst;
-		return Result;
+		return Simplify(Result);
 	}
 	case EExpression::Call:
 		return AnalyseCall(Tree);
@@ -130,10 +130,6 @@ FValue* FAnalyser::MakeNamed(FSymbol& Symbol, FNameScope* Where, const FExpressi
 			return Fail(Tree.Place, "X3011: '" + Name +
 										"' is a local variable, which cannot be read here: static variables get their "
 										"first value before the entry is run");
-		}
-		if (const auto Use = Unset.find(Variable); Use != Unset.end() && !Use->second.bSet)
-		{
-			Use->second = {Tree.Place, true};
 		}
 		return MakeVariable(*Variable, Tree.Place);
 	}
@@ -196,6 +192,12 @@ FValue* FAnalyser::FailName(const FName& Name, const FPlace& Place)
 			return Fail(Place, "X3004: undeclared identifier '" + Last + "': line " +
 								   std::to_string(Later->second.Place.Line) + ", behind this one, declares it");
 		}
+	}
+	if (Last == "ResourceDescriptorHeap" || Last == "SamplerDescriptorHeap")
+	{
+		return Fail(Place, "'" + Last +
+							   "' does not run on the CPU tier: a pass binds its resources by name; declare one as a "
+							   "parameter of the shader");
 	}
 	std::vector<std::string> Known = ListNames(false, false);
 	std::string Suggestion = SuggestName(Last, Known);

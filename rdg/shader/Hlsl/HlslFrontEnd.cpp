@@ -27,7 +27,7 @@ void ThrowFrontEndErrors(std::vector<FDiagnostic> Errors)
 FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request)
 {
 	std::vector<FDiagnostic> Errors;
-	const FTree Tree = Parse(Text, Request.VirtualPath, Errors);
+	const auto Tree = std::make_shared<const FTree>(Parse(Text, Request.VirtualPath, Errors));
 	ThrowFrontEndErrors(std::move(Errors));
 
 	FAnalysisOptions Options;
@@ -38,12 +38,14 @@ FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request)
 	Options.bRealHalf = std::ranges::any_of(
 		Request.Defines, [](const auto& Define) { return Define.first == FrontEndRealHalf && Define.second != "0"; });
 	Options.VirtualPath = Request.VirtualPath;
+	Options.bAllLoose = true;
 	for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)
 	{
 		Options.UniformBuffers.emplace_back(Buffer.Name, Buffer.Members);
 	}
-	FAnalysis Analysis = Analyse(Tree, Options);
+	FAnalysis Analysis = Analyse(*Tree, Options);
 	ThrowFrontEndErrors(std::move(Analysis.Errors));
+	Analysis.Tree = Tree;
 	return Analysis;
 }
 
@@ -63,8 +65,8 @@ std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileReque
 	std::vector<uint32_t> Words = Optimise(Emission.Words, Fault);
 	if (!Fault.empty())
 	{
-		FDiagnostic Error{ESeverity::Error, 6010, "the optimiser of SPIR-V failed: " + Fault, Request.VirtualPath, 0, 0,
-			"entry point " + Request.EntryPoint};
+		FDiagnostic Error{
+			ESeverity::Error, 6010, Fault, Request.VirtualPath, 0, 0, "entry point " + Request.EntryPoint};
 		ThrowFrontEndErrors({Error});
 	}
 	return Words;

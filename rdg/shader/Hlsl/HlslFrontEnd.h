@@ -7,11 +7,12 @@
 namespace Drydock::Hlsl
 {
 
-/** Reads and analyses a text as Compile does, for those who look at the program. Throws FError as Compile. */
+/** Reads and analyses a text, for Compile and for those who look at the program or its warnings. Throws FError as Compile
+ * does. */
 DRYDOCK_API FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request);
 
-/** Text: preprocessed, with `#line`, nothing rewritten, the declarations of uniform buffers before it. Throws FError DD6010
- * and DD6011 with all that was found. */
+/** Text: preprocessed, with `#line`, nothing rewritten, the declarations of uniform buffers before it. Throws FError
+ * DD6010 and DD6011 with all that was found. */
 DRYDOCK_API std::vector<uint32_t> Compile(const std::string& Text, const FShaderCompileRequest& Request);
 
 } // namespace Drydock::Hlsl

@@ -12,12 +12,20 @@ namespace Drydock::Hlsl
 namespace
 {
 
-/** mul of vectors and matrices: a vector is a row on the left and a column on the right. Where columns and rows differ,
- * both are cut to the fewer, as D3D's compilers do. */
+/** mul of vectors and matrices: a vector is a row on the left and a column on the right. What is
+ * too long is cut, but no matrix for a vector on its right. */
 FIntrinsicCall FindIntrinsicProduct(FTypes& Types, std::string_view Name, const FType* A, const FType* B)
 {
 	const EScalar Scalar = *FitScalar(Types, 'n', MeetScalars(A->Scalar, B->Scalar));
 	const uint32_t Inner = std::min<uint32_t>(A->Columns, B->IsMatrix() ? B->Rows : B->Columns);
+	if (A->IsMatrix() && B->IsVector() && A->Columns > Inner)
+	{
+		FIntrinsicCall Refused;
+		Refused.Error =
+			"X3020: type mismatch: 'mul' of " + GetName(A) + " and " + GetName(B) +
+			": the vector on the right has to have as many components as the matrix has columns; cast the matrix";
+		return Refused;
+	}
 	const auto Cut = [&](const FType* Type, uint32_t Rows, uint32_t Columns)
 	{
 		return Type->IsMatrix() ? Types.Matrix(Scalar, Rows, Columns, Type->Order) : Types.Vector(Scalar, Inner);

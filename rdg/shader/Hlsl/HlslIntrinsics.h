@@ -17,28 +17,29 @@ struct FIntrinsicCall
 };
 
 /** Whether HLSL has a function of this name. */
-bool IsIntrinsic(std::string_view Name);
+DRYDOCK_API bool IsIntrinsic(std::string_view Name);
 
 /** Names like it, for "did you mean". */
-std::vector<std::string> ListIntrinsics();
+DRYDOCK_API std::vector<std::string> ListIntrinsics();
 
 /** The overload for these arguments by HLSL's rules: the shape is that of the largest argument where a function goes by
  * components (scalars are splat, longer ones are cut with a warning), the scalar the one that all meet in, literals as
  * what stands beside them; functions of reals make floats of integers. Template arguments: of `Load<T>`, types. */
-FIntrinsicCall FindIntrinsicCall(FTypes& Types, std::string_view Name, const std::vector<const FType*>& Arguments);
+DRYDOCK_API FIntrinsicCall FindIntrinsicCall(
+	FTypes& Types, std::string_view Name, const std::vector<const FType*>& Arguments);
 
 /** The same for a method of an object type, with the types between its < and >. Vectors of positions and offsets have
  * the size that the resource has dimensions. */
-FIntrinsicCall FindMethodCall(FTypes& Types, const FType* Object, std::string_view Name,
+DRYDOCK_API FIntrinsicCall FindMethodCall(FTypes& Types, const FType* Object, std::string_view Name,
 	const std::vector<const FType*>& TemplateArguments, const std::vector<const FType*>& Arguments);
 
 /** Its methods, for "did you mean". */
-std::vector<std::string> ListMethods(const FType* Object);
+DRYDOCK_API std::vector<std::string> ListMethods(const FType* Object);
 
 /** The number of components of a position in the resource: 2 for a Texture2D (its index), 1 for a buffer. */
-uint32_t GetDimensions(EObject Object);
+DRYDOCK_API uint32_t GetDimensions(EObject Object);
 
 /** Whether the call may run at compile time with constants alone (not: waves, atomics, derivatives, clip). */
-bool IsPure(std::string_view Name);
+DRYDOCK_API bool IsPure(std::string_view Name);
 
 } // namespace Drydock::Hlsl

@@ -18,6 +18,10 @@ constexpr uint32_t ModuleLanguageHlsl = 5;
 
 void AddWords(FWords& To, uint16_t Op, const FWords& Operands)
 {
+	if (Operands.size() >= UINT16_MAX)
+	{
+		throw FModuleFault();
+	}
 	To.push_back(uint32_t(Operands.size() + 1) << 16 | Op);
 	To.insert(To.end(), Operands.begin(), Operands.end());
 }

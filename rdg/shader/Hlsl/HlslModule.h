@@ -52,6 +52,11 @@ enum ESpirvNumber : uint32_t
 };
 
 /** Appends one instruction. */
+/** Thrown where an instruction has more words than there can be. */
+struct FModuleFault
+{
+};
+
 void AddWords(FWords& To, uint16_t Op, const FWords& Operands);
 /** Appends a string, padded to words. */
 void AddString(FWords& To, std::string_view Text);

@@ -72,22 +72,28 @@ std::optional<EScalar> FindIntegerSuffix(std::string_view Suffix)
 std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, bool bRealHalf)
 {
 	const bool bHex = Text.starts_with("0x") || Text.starts_with("0X");
+	const bool bBinary = Text.starts_with("0b") || Text.starts_with("0B");
 	if (Text.empty())
 	{
 		Error = "X3000: a number is expected";
 		return std::nullopt;
+	}
+	if (Text == "1.#INF" || Text == "1.#INFf")
+	{
+		return FNumber{EScalar::Float, 0x7F800000};
 	}
 	if (!bHex && Text.find_first_of(".eE") != std::string_view::npos)
 	{
 		return ReadReal(Text, Error, bRealHalf);
 	}
 	const bool bOctal = !bHex && Text.size() > 1 && Text[0] == '0' && Text[1] >= '0' && Text[1] <= '9';
-	const std::string_view Rest = Text.substr(bHex ? 2 : 0);
+	const std::string_view Rest = Text.substr(bHex || bBinary ? 2 : 0);
 	uint64_t Value = 0;
 	const auto [End, Code] = std::from_chars(Rest.data(), Rest.data() + Rest.size(), Value,
-		bHex     ? 16
-		: bOctal ? 8
-				 : 10);
+		bHex      ? 16
+		: bBinary ? 2
+		: bOctal  ? 8
+				  : 10);
 	const std::string_view Suffix = Rest.substr(size_t(End - Rest.data()));
 	const std::optional<EScalar> Scalar = FindIntegerSuffix(Suffix);
 	if (Code == std::errc::invalid_argument || !Scalar)
@@ -100,8 +106,13 @@ std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, boo
 							 : "; the suffixes of integers are u, l, ul, ll and ull");
 		return std::nullopt;
 	}
+	if (Code == std::errc() && *Scalar == EScalar::LiteralInt && !bHex && !bOctal && !bBinary &&
+		Value > uint64_t(INT64_MAX))
+	{
+		return FNumber{EScalar::Ulong, Value}; // as -9223372036854775808 has it
+	}
 	const bool b32 = *Scalar == EScalar::Int || *Scalar == EScalar::Uint;
-	const bool bSigned64 = *Scalar == EScalar::Long || (*Scalar == EScalar::LiteralInt && !bHex && !bOctal);
+	const bool bSigned64 = *Scalar == EScalar::Long || (*Scalar == EScalar::LiteralInt && !bHex && !bOctal && !bBinary);
 	const uint64_t Most = b32 ? UINT32_MAX : bSigned64 ? uint64_t(INT64_MAX) : UINT64_MAX;
 	if (Code == std::errc::result_out_of_range || Value > Most)
 	{

@@ -20,6 +20,18 @@ bool IsBitwise(std::string_view Operator)
 	return Operator == "&" || Operator == "|" || Operator == "^" || Operator == "<<" || Operator == ">>";
 }
 
+/** Null: the operator is none of a division, or has this scalar. */
+const char* RefuseDivision(std::string_view Operator, EScalar Scalar)
+{
+	if (Operator == "%" && Scalar == EScalar::Double)
+	{
+		return "X3684: modulo cannot be used with doubles, cast to float first";
+	}
+	return (Operator == "%" || Operator == "/") && Scalar == EScalar::MinInt
+			   ? "X3706: signed integer division is not supported on minimum-precision types; cast to int"
+			   : nullptr;
+}
+
 std::string Quote(std::string_view Text)
 {
 	return "'" + std::string(Text) + "'";
@@ -108,7 +120,11 @@ FValue* FAnalyser::AnalyseStep(const FExpression& Tree, bool bPostfix)
 	{
 		return CallOperator(Tree.Text, Value, {}, Tree.Place);
 	}
-	if (!Value->Type->IsNumeric() || Value->Type->Scalar == EScalar::Bool || Value->Type->IsEnum())
+	if (Value->Type->IsNumeric() && Value->Type->Scalar == EScalar::Bool)
+	{
+		return Fail(Tree.Place, "X3020: " + Quote(Tree.Text) + ": operator cannot be used with a bool lvalue");
+	}
+	if (!Value->Type->IsNumeric() || Value->Type->IsEnum())
 	{
 		return Fail(Tree.Place, "X3020: " + Quote(Tree.Text) + " takes numbers, not '" + GetName(Value->Type) + "'");
 	}
@@ -142,6 +158,12 @@ FValue* FAnalyser::AnalyseBinary(const FExpression& Tree)
 FValue* FAnalyser::MakeLogical(const FExpression& Tree, FValue* Left, FValue* Right)
 {
 	const bool bAnd = Tree.Text == "&&";
+	if (Options.bVectorLogic && (Left->Type->IsVector() || Right->Type->IsVector()))
+	{
+		FArguments Arguments;
+		Arguments.Values = {Left, Right};
+		return CallIntrinsic(bAnd ? "and" : "or", Arguments, Tree.Place);
+	}
 	const std::string Advice = std::string("write ") + (bAnd ? "and" : "or") +
 							   "(A, B) for components, or all(...) or any(...) around each side";
 	FValue* const First = MakeCondition(Left, Quote(Tree.Text), Advice);
@@ -184,11 +206,14 @@ FValue* FAnalyser::MakeBinary(std::string_view Operator, FValue* Left, FValue* R
 		Warn(Place, "X3206: implicit truncation of vector type: " + Quote(Operator) + " of '" + GetName(Left->Type) +
 						"' and '" + GetName(Right->Type) + "' is of '" + GetName(Type) + "'");
 	}
+	if (const char* const Refused = RefuseDivision(Operator, Type->Scalar))
+	{
+		return Fail(Place, Refused);
+	}
 	if (Operator == "<<" || Operator == ">>")
 	{
 		EScalar Scalar = Left->Type->Scalar == EScalar::Bool ? EScalar::Int : Left->Type->Scalar;
-		const bool bConstant = Left->Kind == EValue::Constant && Right->Kind == EValue::Constant;
-		Scalar = Scalar == EScalar::LiteralInt && !bConstant ? EScalar::Int : Scalar;
+		Scalar = Scalar == EScalar::LiteralInt ? Type->Scalar : Scalar; // `1 << U` is a uint
 		Type = Types->WithScalar(Type, Scalar);
 	}
 	if (IsLiteral(Type->Scalar) && !(Left->Kind == EValue::Constant && Right->Kind == EValue::Constant))
@@ -205,6 +230,12 @@ FValue* FAnalyser::MakeBinary(std::string_view Operator, FValue* Left, FValue* R
 	{
 		return MakeError(Place);
 	}
+	const bool bDivides = (Operator == "/" || Operator == "%") && !IsReal(Type->Scalar) && IsKnown(*Right);
+	const FConstant Divisor = bDivides ? Fold(*Types, *Right).value_or(FConstant()) : FConstant();
+	if (std::ranges::find(Divisor, 0u) != Divisor.end())
+	{
+		return Fail(Place, "X4010: division of an integer by zero");
+	}
 	FValue* const Result = Make(
 		EValue::Binary, IsComparison(Operator) ? Types->WithScalar(Type, EScalar::Bool) : Type, Place, {Left, Right});
 	Result->Operator = KeepOperator(Operator);
@@ -213,10 +244,17 @@ FValue* FAnalyser::MakeBinary(std::string_view Operator, FValue* Left, FValue* R
 
 FValue* FAnalyser::AnalyseConditional(const FExpression& Tree)
 {
-	FValue* const Condition = MakeCondition(
-		Analyse(*Tree.Operands[0]), "the condition of '?:'", "write select(C, A, B) to choose by components");
+	FValue* const Chosen = Analyse(*Tree.Operands[0]);
 	FValue* Left = Analyse(*Tree.Operands[1]);
 	FValue* Right = Analyse(*Tree.Operands[2]);
+	if (Options.bVectorLogic && Chosen->Type->IsVector() && !IsError(Left) && !IsError(Right))
+	{
+		FArguments Arguments;
+		Arguments.Values = {Chosen, Left, Right};
+		return CallIntrinsic("select", Arguments, Tree.Place);
+	}
+	FValue* const Condition =
+		MakeCondition(Chosen, "the condition of '?:'", "write select(C, A, B) to choose by components");
 	if (IsError(Condition) || IsError(Left) || IsError(Right))
 	{
 		return MakeError(Tree.Place);
@@ -318,6 +356,14 @@ FValue* FAnalyser::AnalyseModify(const FExpression& Tree, FValue* Left, FValue* 
 	if (IsBitwise(Operator) && (IsReal(Left->Type->Scalar) || IsReal(Right->Type->Scalar)))
 	{
 		return Fail(Tree.Place, "X3082: int or unsigned int type required for " + Quote(Tree.Text));
+	}
+	if (const char* const Refused = RefuseDivision(Operator, Met->Scalar))
+	{
+		return Fail(Tree.Place, Refused);
+	}
+	if (Left->Type->Scalar == EScalar::Bool && Operator != "&" && Operator != "|" && Operator != "^")
+	{
+		return Fail(Tree.Place, "X3020: " + Quote(Tree.Text) + ": operator cannot be used with a bool lvalue");
 	}
 	const bool bShift = Operator == "<<" || Operator == ">>";
 	EScalar Scalar = bShift ? Left->Type->Scalar : Met->Scalar;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace Drydock::Hlsl
 {
@@ -19,6 +20,10 @@ namespace
 
 constexpr uint32_t OptimiseMark = 218; // OpEmitVertex, which no shader here has
 constexpr uint32_t OptimiseWaveVersion = 0x10300;
+
+// The optimiser takes a minute for what is beyond them. The largest shipped shaders have 3,000 and 100.
+constexpr uint64_t OptimiseMaxInstructions = 400000;
+constexpr uint64_t OptimiseMaxBlocks = 16384;
 
 // Divisions as operations that the optimiser computes nothing of and that HLSL has no word for: OpIAddCarry and the
 // three behind it.
@@ -37,6 +42,50 @@ void ForEachOptimised(const FWords& Words, F f)
 	{
 		f(At, Words[At] >> 16);
 	}
+}
+
+/** How many instructions and blocks there are once each call has the function's own in its place. */
+struct FOptimiseSize
+{
+	uint64_t NumInstructions = 0;
+	uint64_t NumBlocks = 0;
+	std::vector<uint32_t> Calls;
+
+	bool IsTooLarge() const { return NumInstructions > OptimiseMaxInstructions || NumBlocks > OptimiseMaxBlocks; }
+};
+
+void AddOptimiseCalls(std::map<uint32_t, FOptimiseSize>& Functions, uint32_t Id)
+{
+	FOptimiseSize& Size = Functions[Id];
+	for (const uint32_t Callee : std::exchange(Size.Calls, {}))
+	{
+		AddOptimiseCalls(Functions, Callee);
+		Size.NumInstructions = std::min(Size.NumInstructions + Functions[Callee].NumInstructions, UINT64_MAX / 2);
+		Size.NumBlocks = std::min(Size.NumBlocks + Functions[Callee].NumBlocks, UINT64_MAX / 2);
+	}
+}
+
+FOptimiseSize MeasureInlined(const FWords& Words)
+{
+	std::map<uint32_t, FOptimiseSize> Functions;
+	uint32_t Current = 0;
+	uint32_t Entry = 0;
+	ForEachOptimised(Words,
+		[&](size_t First, uint32_t)
+		{
+			const uint16_t Opcode = uint16_t(Words[First]);
+			Entry = Opcode == OpEntryPoint ? Words[First + 2] : Entry;
+			Current = Opcode == OpFunction ? Words[First + 2] : Current;
+			FOptimiseSize& Size = Functions[Current];
+			++Size.NumInstructions;
+			Size.NumBlocks += Opcode == OpLabel ? 1 : 0;
+			if (Opcode == OpFunctionCall)
+			{
+				Size.Calls.push_back(Words[First + 3]);
+			}
+		});
+	AddOptimiseCalls(Functions, Entry);
+	return Functions[Entry];
 }
 
 /** The optimiser drops loops without an effect, those without an end too: each header gets an effect. It makes 0 of
@@ -118,6 +167,15 @@ void RegisterOptimiserPasses(spvtools::Optimizer& Optimizer)
 
 std::vector<uint32_t> Optimise(const std::vector<uint32_t>& Words, std::string& Error)
 {
+	const FOptimiseSize Size = MeasureInlined(Words);
+	if (Size.IsTooLarge())
+	{
+		Error = "the shader is too large: with its functions in the place of their calls it has " +
+				std::to_string(Size.NumInstructions) + " instructions in " + std::to_string(Size.NumBlocks) +
+				" branches, and may have " + std::to_string(OptimiseMaxInstructions) + " in " +
+				std::to_string(OptimiseMaxBlocks) + "; write a loop in place of repeated code, or call less";
+		return {};
+	}
 	const bool bWaves = Words.at(1) >= OptimiseWaveVersion;
 	spvtools::Optimizer Optimizer(bWaves ? SPV_ENV_VULKAN_1_1 : SPV_ENV_VULKAN_1_0);
 	Optimizer.SetMessageConsumer(
@@ -135,7 +193,7 @@ std::vector<uint32_t> Optimise(const std::vector<uint32_t>& Words, std::string& 
 	FWords Result;
 	if (!Optimizer.Run(Hidden.data(), Hidden.size(), &Result, Options))
 	{
-		Error = Error.empty() ? "the optimiser gave no result" : Error;
+		Error = "the optimiser of the shader failed: " + (Error.empty() ? "it gave no result" : Error);
 		return {};
 	}
 	Error.clear();

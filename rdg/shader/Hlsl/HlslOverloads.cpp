@@ -28,7 +28,9 @@ std::optional<std::vector<uint32_t>> RankCall(FTypes& Types, const std::vector<F
 	{
 		const FParameterType& Parameter = Parameters[i];
 		const FConversion In = FindConversion(Types, Arguments[i].Type, Parameter.Type);
-		const FConversion Out = FindConversion(Types, Parameter.Type, Arguments[i].Type);
+		const bool bBase = In.bPossible && Parameter.Type->IsStruct() && Arguments[i].Type->IsStruct();
+		const FConversion Out =
+			bBase ? In : FindConversion(Types, Parameter.Type, Arguments[i].Type); // a base is copied back
 		const std::string Number = "argument " + std::to_string(i + 1);
 		if (Parameter.bOut && !Arguments[i].bPlace)
 		{

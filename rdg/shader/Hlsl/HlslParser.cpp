@@ -82,7 +82,8 @@ FParserWords MakeParserWords()
 	AddParserWords(Words, EWord::SoftModifier,
 		"reordercoherent shared point line triangle lineadj triangleadj indices vertices primitives payload");
 	const std::pair<const char*, uint32_t> Soft[] = {{"precise", ModifierPrecise}, {"linear", ModifierLinear},
-		{"centroid", ModifierCentroid}, {"sample", ModifierSample}, {"globallycoherent", ModifierGloballyCoherent}};
+		{"center", ModifierLinear}, {"centroid", ModifierCentroid}, {"sample", ModifierSample},
+		{"globallycoherent", ModifierGloballyCoherent}};
 	for (const auto& [Name, Mask] : Soft)
 	{
 		Words[Name] = {EWord::SoftModifier, Mask};

@@ -283,6 +283,7 @@ void FParser::ParseTypedef(std::vector<FDeclaration*>& Out)
 		Typedef->Type = Type;
 		Typedef->Modifiers = Modifiers;
 		ParsePart(Typedef->Name);
+		CheckModifiers(Modifiers, EDeclared::Typedef, Typedef->Place);
 		ParseDimensions(Typedef->Dimensions);
 		Declare(Typedef->Name.Last(), Target);
 		Out.push_back(Typedef);

@@ -27,6 +27,12 @@ FDeclaration* FParser::ParseDeclarator(FTypeName* Type, uint32_t Modifiers, EWhe
 			DeclareOther(Part.Text);
 		}
 	}
+	const EDeclared Declared = bFunction ? (Where == EWhere::Member ? EDeclared::Method : EDeclared::Function)
+							   : Where == EWhere::File || (Where == EWhere::Member && Modifiers & ModifierStatic)
+								   ? EDeclared::Global
+							   : Where == EWhere::Member ? EDeclared::Field
+														 : EDeclared::Local;
+	CheckModifiers(Modifiers, Declared, Declaration->Place);
 	if (bFunction)
 	{
 		ParseFunction(*Declaration, Where, Owner);
@@ -98,6 +104,13 @@ void FParser::ParseOperator(FDeclaration& Declaration)
 		}
 		Declaration.Operator = Next().Text;
 	}
+	static constexpr std::string_view Refused[] = {
+		"=", "+=", "-=", "*=", "/=", "%=", "^=", "&=", "|=", "<<", ">>", "<<=", ">>=", "++", "--"};
+	if (std::ranges::find(Refused, Declaration.Operator) != std::end(Refused))
+	{
+		Fail(Declaration.Place, "X3000: overloading 'operator" + std::string(Declaration.Operator) +
+									"' is not allowed; write a method with a name");
+	}
 }
 
 /** Whether what stands in these parentheses can be parameters: not so in `float4 X(1, 2, 3, 4)`. */
@@ -148,6 +161,7 @@ void FParser::ParseFunction(FDeclaration& Function, EWhere Where, FScope* Owner)
 void FParser::ParseParameters(FDeclaration& Function)
 {
 	const FAngles Angles(*this, false);
+	bool bDefault = false;
 	Expect("(");
 	if (Is("void") && Is(")", 1))
 	{
@@ -158,6 +172,13 @@ void FParser::ParseParameters(FDeclaration& Function)
 		do
 		{
 			Function.Parameters.push_back(ParseParameter());
+			const FDeclaration& Last = *Function.Parameters.back();
+			if (bDefault && Last.Value == nullptr)
+			{
+				Fail(Last.Place, "X3000: the parameter '" + std::string(Last.Name.Last()) +
+									 "' needs a default value: one before it has one");
+			}
+			bDefault = Last.Value != nullptr;
 		} while (Take(","));
 	}
 	Expect(")", "or ',' behind the parameter");
@@ -180,6 +201,7 @@ FDeclaration* FParser::ParseParameter()
 	{
 		Parameter->Name.Parts.emplace_back().Place = At().Place;
 	}
+	CheckModifiers(Parameter->Modifiers, EDeclared::Parameter, Parameter->Place);
 	ParseVariable(*Parameter, EWhere::Local);
 	return Parameter;
 }

@@ -78,6 +78,18 @@ enum class EWhere : uint8_t
 	Local,
 };
 
+/** What is declared. */
+enum class EDeclared : uint8_t
+{
+	Global,
+	Field,
+	Local,
+	Function,
+	Method,
+	Typedef,
+	Parameter,
+};
+
 class FParser
 {
 public:
@@ -169,6 +181,9 @@ private:
 	void ParseBases(FStruct& Struct, FScope& Scope);
 	void ParseEnum(FTypeName& Type);
 	void ParseTemplateParameters(std::vector<FTemplateParameter>& Parameters);
+
+	// HlslParserModifiers.cpp
+	void CheckModifiers(uint32_t Modifiers, EDeclared Declared, const FPlace& Place);
 
 	// HlslParserExpressions.cpp
 	FExpression* ParseExpression();

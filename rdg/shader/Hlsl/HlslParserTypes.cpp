@@ -70,6 +70,11 @@ void FParser::ParseTemplateArguments(FName& Name)
 			Arguments.push_back(ParseTemplateArgument(Name));
 		} while (Take(","));
 	}
+	const bool bDouble = Is(">") && At().bTouches && Pos > 0 && Tokens[Pos - 1].Is(">");
+	if (bDouble)
+	{
+		Fail(At().Place, "X3000: a space is required between consecutive right angle brackets (use '> >')");
+	}
 	Expect(">", "behind the template's arguments");
 	Name.Parts.back().bArguments = true;
 	Name.Parts.back().Arguments = std::move(Arguments);
@@ -180,7 +185,15 @@ FTypeName* FParser::ParseType()
 		const std::string_view Text = Is("unsigned") ? "uint" : "int";
 		ParsePart(Type->Name);
 		Type->Name.Parts[0].Text = Text;
-		(void)(Take("int") || Take("dword"));
+		if (IsWord() && (At().Text.starts_with("int") || Is("dword")) && IsTypeAt(Pos)) // unsigned int3
+		{
+			const bool bInt = !Is("dword");
+			const std::string_view Rest = Next().Text.substr(bInt ? 3 : 5);
+			if (!Rest.empty())
+			{
+				Type->Name.Parts[0].Text = Tree.Keep(std::string(Text) + std::string(Rest));
+			}
+		}
 	}
 	else
 	{

@@ -13,13 +13,14 @@ struct FValue;
 enum class EStorage : uint8_t
 {
 	Local,
-	Parameter,   // of a function
-	Static,      // one for each thread
+	Parameter, // of a function
+	Static,    // one for each thread
 	Groupshared,
-	Loose,       // a parameter of the shader at file scope, in $Global; read only, but FXC's older mode copies what is written
-	Member,      // of a cbuffer, a tbuffer: Buffer says which
-	Resource,    // a texture, sampler, buffer at file scope
-	This,        // of a method: its object, a reference
+	Loose, // a parameter of the shader at file scope, in $Global; read only, but FXC's older mode copies what is
+		   // written
+	Member,   // of a cbuffer, a tbuffer: Buffer says which
+	Resource, // a texture, sampler, buffer at file scope
+	This,     // of a method: its object, a reference
 };
 
 /** A cbuffer or tbuffer, and the struct of loose parameters. */
@@ -32,8 +33,8 @@ struct FBuffer
 	std::vector<uint32_t> Offsets; // bytes
 };
 
-/** The scalars of a constant, row by row, in the bits of their type: a float's as 32 bits, a bool's 0 or 1, what is literal
- * as long (LiteralInt) and double (LiteralFloat). */
+/** The scalars of a constant, row by row, in the bits of their type: a float's as 32 bits, a bool's 0 or 1, what is
+ * literal as long (LiteralInt) and double (LiteralFloat). */
 using FConstant = std::vector<uint64_t>;
 
 struct FVariable
@@ -43,47 +44,50 @@ struct FVariable
 	EStorage Storage = EStorage::Local;
 	FPlace Place;
 	uint32_t Modifiers = 0;
-	FBuffer* Buffer = nullptr; // Loose and Member
-	uint32_t Index = 0;        // in Buffer->Members; of a parameter
-	std::string Semantic;      // of an entry's parameter, in capital letters with its index
+	FBuffer* Buffer = nullptr;         // Loose and Member
+	uint32_t Index = 0;                // in Buffer->Members; of a parameter
+	std::string Semantic;              // of an entry's parameter, in capital letters with its index
 	FValue* Initializer = nullptr;     // Static: run before the entry, in the order of FProgram::Statics
 	std::optional<FConstant> Constant; // of what is const and whose value is known
 	bool bWritten = false;
-	bool bFeedback = false; // for the analysis
-	std::string_view ResourceName;     // as declared; arrays of resources have theirs here, too
+	bool bFeedback = false;        // for the analysis
+	std::string_view ResourceName; // as declared; arrays of resources have theirs here, too
 };
 
 enum class EValue : uint8_t
 {
-	Constant,  // Constant
-	Variable,  // Variable
-	Member,    // Operands[0] . member Index of its struct (FStructType::Members)
-	Index,     // Operands[0] [Operands[1]]: of an array, of a vector (its component), of a matrix (its row); the index is int or uint
-	Element,   // Operands[0] [Operands[1]]: a place in a resource: RWTexture, RWBuffer, RWStructuredBuffer, or a value read from a resource
-	           // that is read only. The index is an integer vector of as many components as the resource has dimensions
-	Swizzle,   // components Parts of Operands[0], a scalar or vector
-	Elements,  // elements Parts of Operands[0], a matrix, each as row * 4 + column
-	Unary,     // Operator: - ! ~, by components; the operand has the type of the result
-	Binary,    // Operator; both operands have one type; comparisons give bool of that shape. % of reals is truncated (fmod)
-	And,       // && of bool scalars: the right side is run only where the left is true
+	Constant, // Constant
+	Variable, // Variable
+	Member,   // Operands[0] . member Index of its struct (FStructType::Members)
+	Index,   // Operands[0] [Operands[1]]: of an array, of a vector (its component), of a matrix (its row); the index is
+			 // int or uint
+	Element, // Operands[0] [Operands[1]]: a place in a resource: RWTexture, RWBuffer, RWStructuredBuffer, or a value
+			 // read from a resource that is read only. The index is an integer vector of as many components as the
+			 // resource has dimensions
+	Swizzle, // components Parts of Operands[0], a scalar or vector
+	Elements, // elements Parts of Operands[0], a matrix, each as row * 4 + column
+	Unary,    // Operator: - ! ~, by components; the operand has the type of the result
+	Binary,   // Operator; both operands have one type; comparisons give bool of that shape. % of reals is truncated
+			// (fmod)
+	And, // && of bool scalars: the right side is run only where the left is true
 	Or,
-	Choose,    // ?: of a bool scalar: only the side that is taken is run
-	Select,    // select(): by components, all sides are run; the condition is a bool of the result's shape
-	Assign,    // Operands[0] = Operands[1], of one type; the value is what was stored
-	Modify,    // Operands[0] Operator= Operands[1]. The arithmetic is done in the type of Operands[1] (a shift: of Operands[0]); Convert back
-	           // where that is another. The value is what was stored
-	Step,      // ++ and --, Operator "++" or "--"; bPostfix: the value is the one before
-	Convert,   // a numeric value of the same shape with another scalar; a splat of a scalar; a vector or matrix cut down;
-	           // a matrix of n rows and 1 column as a vector and back
-	Compose,   // a numeric value, array or struct out of all scalars of the operands, in order, each converted already
-	Zero,      // all 0 (a struct cast from 0)
-	Call,      // Function; Operands are its arguments (of a method, the object first). out and inout arguments are places
+	Choose,  // ?: of a bool scalar: only the side that is taken is run
+	Select,  // select(): by components, all sides are run; the condition is a bool of the result's shape
+	Assign,  // Operands[0] = Operands[1], of one type; the value is what was stored
+	Modify,  // Operands[0] Operator= Operands[1]. The arithmetic is done in the type of Operands[1] (a shift: of
+			 // Operands[0]); Convert back where that is another. The value is what was stored
+	Step,    // ++ and --, Operator "++" or "--"; bPostfix: the value is the one before
+	Convert, // a numeric value of the same shape with another scalar; a splat of a scalar; a vector or matrix cut down;
+			 // a matrix of n rows and 1 column as a vector and back
+	Compose, // a numeric value, array or struct out of all scalars of the operands, in order, each converted already
+	Zero,    // all 0 (a struct cast from 0)
+	Call,    // Function; Operands are its arguments (of a method, the object first). out and inout arguments are places
 	Intrinsic, // Name: one of HlslIntrinsics.h; Operands
 	Method,    // Name: of the resource Operands[0]; the other Operands are its arguments, in the overload's types
 	Comma,
-	Cast,      // by scalars, in order, each converted: an array, struct or numeric value as another one. The first ones
-	           // where there are more (a struct as its base); a single scalar goes to all
-	String,    // Text
+	Cast,   // by scalars, in order, each converted: an array, struct or numeric value as another one. The first ones
+			// where there are more (a struct as its base); a single scalar goes to all
+	String, // Text
 };
 
 struct FValue
@@ -91,8 +95,8 @@ struct FValue
 	EValue Kind = EValue::Constant;
 	const FType* Type = nullptr;
 	FPlace Place;
-	bool bPlace = false;   // it can be written to
-	bool bConst = false;   // a place that must not be
+	bool bPlace = false; // it can be written to
+	bool bConst = false; // a place that must not be
 	bool bPostfix = false;
 	bool bPrecise = false;
 	uint32_t Index = 0;
@@ -111,10 +115,10 @@ enum class EStep : uint8_t
 	Block,
 	Variable, // Variable is declared, with Value or none
 	Value,
-	If,       // Value, Body[0], Body[1] or none
-	Loop,     // Body[0]: what runs before; Value: the condition or null; Next: what runs after each turn, or null; Body[1]
-	DoLoop,   // Body[1], then Value
-	Switch,   // Value, Cases
+	If,   // Value, Body[0], Body[1] or none
+	Loop, // Body[0]: what runs before; Value: the condition or null; Next: what runs after each turn, or null; Body[1]
+	DoLoop, // Body[1], then Value
+	Switch, // Value, Cases
 	Break,
 	Continue,
 	Return,
@@ -125,7 +129,8 @@ struct FCase
 {
 	std::vector<uint32_t> Labels; // bits of 32
 	bool bDefault = false;
-	std::vector<struct FCode*> Body; // without what follows a break; the analysis refuses fall-through of what is not empty, as D3D does
+	std::vector<struct FCode*>
+		Body; // without what follows a break; the analysis refuses fall-through of what is not empty, as D3D does
 };
 
 /** A statement. */
@@ -147,11 +152,11 @@ struct FCode
 
 struct FFunction
 {
-	std::string Name;     // with its namespaces and template arguments: "N::F<float>"
-	std::string Mangled;  // with the types of its parameters
+	std::string Name;    // with its namespaces and template arguments: "N::F<float>"
+	std::string Mangled; // with the types of its parameters
 	FPlace Place;
 	const FType* Result = nullptr;
-	std::string Semantic; // of what the entry returns
+	std::string Semantic;               // of what the entry returns
 	std::vector<FVariable*> Parameters; // of a method, `this` first
 	FCode* Body = nullptr;
 	bool bMethod = false;
@@ -174,10 +179,10 @@ struct FProgram
 	uint32_t GroupSize[3] = {1, 1, 1};
 	uint32_t WaveSize = 0; // [WaveSize(N)]; 0: none
 	bool bEarlyDepthStencil = false;
-	std::vector<FFunction*> Functions;  // those that the entry reaches, each after those that it calls
-	std::vector<FVariable*> Statics;    // in the order of their declaration; Groupshared too
-	std::vector<FVariable*> Resources;  // those that are used, in the order of their declaration
-	std::vector<FBuffer*> Buffers;      // those that are used; $Global first
+	std::vector<FFunction*> Functions; // those that the entry reaches, each after those that it calls
+	std::vector<FVariable*> Statics;   // in the order of their declaration; Groupshared too
+	std::vector<FVariable*> Resources; // those that are used, in the order of their declaration
+	std::vector<FBuffer*> Buffers;     // those that are used; $Global first
 	std::vector<std::string> Files;
 
 	template<typename T>

@@ -423,8 +423,8 @@ std::optional<EScalar> FitScalar(const FTypes& Types, char Class, EScalar Scalar
 	case 'i':
 		return If(IsInteger(Number), Number);
 	case 'j': // a literal is the uint of memory
-		return If(IsInteger(Number) && !bWide,
-			Scalar == EScalar::LiteralInt || IsUnsigned(Number) ? EScalar::Uint : EScalar::Int);
+		return If(!bWide,
+			Scalar == EScalar::LiteralInt || IsUnsigned(Number) || IsReal(Number) ? EScalar::Uint : EScalar::Int);
 	case 'k':
 		return If(IsInteger(Number), Scalar == EScalar::Long ? EScalar::Long : EScalar::Ulong);
 	case 'x':

@@ -25,6 +25,7 @@ const FType* FAnalyser::CompleteEnum(FSymbol& Symbol)
 	}
 	const EScalar Scalar = bGood ? Base->Scalar : EScalar::Int;
 	Symbol.Type = Types->Enum(Enum.Name.empty() ? "enum" : Enum.Name, &Symbol, Scalar, Enum.bScoped);
+	std::vector<FValue*> Made;
 	int64_t Next = 0;
 	for (const FEnumerator& Each : Enum.Enumerators)
 	{
@@ -36,9 +37,16 @@ const FType* FAnalyser::CompleteEnum(FSymbol& Symbol)
 		const uint64_t Bits = Types->GetBits(Scalar) == 64 ? uint64_t(Next) : uint64_t(uint32_t(Next));
 		if (Found != Symbol.Inner->Symbols.end())
 		{
-			Found->second.Value = MakeConstant(Symbol.Type, {Scalar == EScalar::Bool ? Bits & 1 : Bits}, Each.Place);
+			// Within its braces it is an integer.
+			Found->second.Value =
+				MakeConstant(Types->Scalar(Scalar), {Scalar == EScalar::Bool ? Bits & 1 : Bits}, Each.Place);
+			Made.push_back(Found->second.Value);
 		}
 		++Next;
+	}
+	for (FValue* Each : Made)
+	{
+		Each->Type = Symbol.Type;
 	}
 	return Symbol.Type;
 }

@@ -1,5 +1,5 @@
-// The syntax tree of a preprocessed HLSL text: what the parser gives and the analysis reads. Nothing is looked up here but
-// whether a name is a type.
+// The syntax tree of a preprocessed HLSL text: what the parser gives and the analysis reads. Nothing is looked up here
+// but whether a name is a type.
 #pragma once
 
 #include <cstdint>
@@ -48,8 +48,8 @@ struct FEnum;
 struct FDeclaration;
 struct FTypeName;
 
-/** What stands between < and >: a type or an expression. A name alone is given as an expression, and as a type where the
- * parser knows it as one. */
+/** What stands between < and >: a type or an expression. A name alone is given as an expression, and as a type where
+ * the parser knows it as one. */
 struct FTemplateArgument
 {
 	FTypeName* Type = nullptr;
@@ -228,7 +228,7 @@ struct FDeclaration
 	 * arguments, of structs, too. An operator's is "operator". */
 	FName Name;
 	uint32_t Modifiers = 0;
-	FTypeName* Type = nullptr; // of the variable; what the function returns
+	FTypeName* Type = nullptr;            // of the variable; what the function returns
 	std::vector<FExpression*> Dimensions; // of a variable; null: []
 	FExpression* Value = nullptr;         // initializer or default argument
 	bool bConstructed = false;            // the initializer stands in braces without a =
@@ -288,7 +288,11 @@ struct FTree
 		return &Pool.back();
 	}
 
+	/** A name that the text does not have. */
+	std::string_view Keep(const std::string& Name) { return Names.emplace_back(Name); }
+
 private:
+	std::deque<std::string> Names;
 	std::tuple<std::deque<FExpression>, std::deque<FStatement>, std::deque<FDeclaration>, std::deque<FStruct>,
 		std::deque<FEnum>, std::deque<FTypeName>>
 		Pools;

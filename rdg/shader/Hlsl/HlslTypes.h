@@ -1,6 +1,7 @@
 // The types of HLSL: each is made once, so that two types are one where their pointers are.
 #pragma once
 
+#include "DrydockAPI.h"
 #include "HlslTree.h"
 
 #include <map>
@@ -21,11 +22,11 @@ enum class EScalar : uint8_t
 	Ushort,  // uint16_t
 	Int,
 	Uint,
-	Long,         // int64_t
-	Ulong,        // uint64_t
-	LiteralInt,   // 1; becomes int where nothing else decides
-	MinFloat,     // min16float, min10float: 32 bits here
-	Half,         // half, float16_t: 16 bits where the request says so, else 32
+	Long,       // int64_t
+	Ulong,      // uint64_t
+	LiteralInt, // 1; becomes int where nothing else decides
+	MinFloat,   // min16float, min10float: 32 bits here
+	Half,       // half, float16_t: 16 bits where the request says so, else 32
 	Float,
 	Double,
 	LiteralFloat, // 1.0; becomes float where nothing else decides
@@ -128,7 +129,8 @@ struct FStructType
 {
 	std::string Name; // with its template arguments, as written: "FPair<float, 2>"
 	FPlace Place;
-	std::vector<FMember> Members; // those of bases first, flattened: a shadowed name stands twice, and the last one holds
+	std::vector<FMember>
+		Members; // those of bases first, flattened: a shadowed name stands twice, and the last one holds
 	std::vector<const FType*> Bases;
 	const void* Scope = nullptr; // of the analysis: methods, static members, nested types
 	FStructFacts Facts;          // of CountScalars, HasObject and GetLayout
@@ -175,7 +177,8 @@ constexpr bool IsInteger(EScalar Scalar)
 }
 constexpr bool IsUnsigned(EScalar Scalar)
 {
-	return Scalar == EScalar::MinUint || Scalar == EScalar::Ushort || Scalar == EScalar::Uint || Scalar == EScalar::Ulong;
+	return Scalar == EScalar::MinUint || Scalar == EScalar::Ushort || Scalar == EScalar::Uint ||
+		   Scalar == EScalar::Ulong;
 }
 constexpr bool IsLiteral(EScalar Scalar)
 {
@@ -197,7 +200,7 @@ constexpr bool IsStructured(EObject Object)
 }
 
 /** Makes types and keeps them. */
-class FTypes
+class DRYDOCK_API FTypes
 {
 public:
 	/** bRealHalf: half and min16 types have 16 bits, and int16_t, uint16_t and float16_t are there. */
@@ -246,23 +249,23 @@ private:
 };
 
 /** As HLSL writes it: "float3x2", "Texture2D<float4>", "FItem", "float[3]". */
-std::string GetName(const FType* Type);
+DRYDOCK_API std::string GetName(const FType* Type);
 
 /** The same type but for the order of rows and the norm of texels. */
-bool IsSame(const FType* A, const FType* B);
+DRYDOCK_API bool IsSame(const FType* A, const FType* B);
 
 /** Whether an object is in it, at any depth. */
-bool HasObject(const FType* Type);
+DRYDOCK_API bool HasObject(const FType* Type);
 
 /** Scalars in a numeric type, an array or a struct of such; objects count as none. */
-uint32_t CountScalars(const FType* Type);
+DRYDOCK_API uint32_t CountScalars(const FType* Type);
 
 /** The type of the scalar at Index when all is taken apart, row by row. */
-EScalar GetScalarAt(const FType* Type, uint32_t Index);
+DRYDOCK_API EScalar GetScalarAt(const FType* Type, uint32_t Index);
 
-FLayout GetLayout(const FTypes& Types, const FType* Type, ELayout Layout);
+DRYDOCK_API FLayout GetLayout(const FTypes& Types, const FType* Type, ELayout Layout);
 
 /** Where a struct's members begin. */
-std::vector<uint32_t> GetOffsets(const FTypes& Types, const FStructType& Struct, ELayout Layout);
+DRYDOCK_API std::vector<uint32_t> GetOffsets(const FTypes& Types, const FStructType& Struct, ELayout Layout);
 
 } // namespace Drydock::Hlsl

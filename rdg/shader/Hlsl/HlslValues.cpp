@@ -129,7 +129,6 @@ FValue* FAnalyser::Simplify(FValue* Value)
 	case EValue::Call:
 	case EValue::Method:
 	case EValue::Element:
-	case EValue::Comma:
 		return Value;
 	case EValue::Intrinsic:
 		if (!IsPure(Value->Name))
@@ -322,6 +321,8 @@ void FAnalyser::MarkWritten(FValue* Value)
 	{
 		return;
 	}
+	Warn(Value->Place, "X3025: global variables are implicitly constant: '" + Variable->Name +
+						   "' is a parameter of the shader, which DXC refuses to write; copy it into a local variable");
 	FVariable& Parameter = *Program->Make<FVariable>();
 	Parameter = *Variable;
 	Parameter.ResourceName = Parameter.Name;

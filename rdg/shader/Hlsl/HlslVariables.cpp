@@ -30,7 +30,90 @@ std::optional<uint32_t> ReadPackOffset(std::string_view Text)
 			   : std::optional<uint32_t>(uint32_t(std::stoul(Register.substr(1)) * 16 + At * 4));
 }
 
+/** The first number in a struct: "the number 'B'". */
+std::string FindNumber(const FType* Type)
+{
+	while (Type->IsArray())
+	{
+		Type = Type->Element;
+	}
+	for (const FMember& Member : Type->IsStruct() ? Type->Struct->Members : std::vector<FMember>())
+	{
+		if (CountScalars(Member.Type) > 0)
+		{
+			return Member.Type->IsNumeric() ? "the number '" + Member.Name + "'" : FindNumber(Member.Type);
+		}
+	}
+	return "numbers";
+}
+
+struct FRegisterRow
+{
+	std::string_view Letters;
+	const char* What;
+	const char* Number;
+};
+
+constexpr FRegisterRow RegisterRows[] = {
+	{"b", "a constant buffer", "X3591"},
+	{"ts", "a texture or a buffer that is read", "X3530"},
+	{"u", "a UAV", "X3530"},
+	{"st", "a sampler", "X3530"},
+	{"cbi", "a parameter of numbers", "X3530"},
+};
+
+/** Not so the profile of `register(ps_5_0, s0)` and the space. */
+bool IsRegister(std::string_view Text)
+{
+	return Text.size() > 1 && Text.find_first_not_of("0123456789", 1) == std::string_view::npos &&
+		   !(Text[0] >= '0' && Text[0] <= '9');
+}
+
+const FRegisterRow* FindRegisterRow(const FType& Type, const FDeclaration& Declaration)
+{
+	const EObject Object = Type.Object;
+	if (Declaration.Kind == EDeclaration::Buffer)
+	{
+		return &RegisterRows[Declaration.bTBuffer ? 1 : 0];
+	}
+	if (!Type.IsObject())
+	{
+		return Type.IsNumeric() ? &RegisterRows[4] : nullptr;
+	}
+	return Object == EObject::Unsupported                                                 ? nullptr
+		   : Object == EObject::ConstantBuffer                                            ? &RegisterRows[0]
+		   : IsWritable(Object)                                                           ? &RegisterRows[2]
+		   : Object == EObject::SamplerState || Object == EObject::SamplerComparisonState ? &RegisterRows[3]
+																						  : &RegisterRows[1];
+}
+
 } // namespace
+
+/** `register(t0)`: the letter is that of what is declared. */
+void FAnalyser::CheckRegisters(const FVariable& Variable, const FDeclaration& Declaration)
+{
+	const FType* Type = Variable.Type;
+	while (Type->IsArray())
+	{
+		Type = Type->Element;
+	}
+	for (const FAnnotation& Annotation : Declaration.Annotations)
+	{
+		const auto Register = Annotation.Name != "register" ? Annotation.Arguments.end()
+															: std::ranges::find_if(Annotation.Arguments, IsRegister);
+		const FRegisterRow* const Row = FindRegisterRow(*Type, Declaration);
+		if (Register == Annotation.Arguments.end() || !Row || Type->IsStruct())
+		{
+			continue;
+		}
+		if (Row->Letters.find(char(Register->front() | 0x20)) == std::string_view::npos)
+		{
+			Error(Annotation.Place, std::string(Row->Number) + ": " + Row->What + " requires " +
+										(Row->Letters[0] == 's' ? "an '" : "a '") + Row->Letters[0] +
+										"' register, not '" + std::string(*Register) + "'");
+		}
+	}
+}
 
 FVariable* FAnalyser::FindGlobal(FSymbol& Symbol)
 {
@@ -79,15 +162,16 @@ void FAnalyser::MakeGlobal(FSymbol& Symbol, FVariable& Variable)
 	const bool bConst = (Variable.Modifiers & ModifierConst) != 0 && Value;
 	const FMade Made{Symbol.Order, &Variable};
 	Symbol.Variable = &Variable;
+	CheckRegisters(Variable, Declaration);
 	if (bObject && !bStatic)
 	{
 		Variable.Storage = EStorage::Resource;
 		Resources.push_back(Made);
 		if (CountScalars(Variable.Type) > 0)
 		{
-			Error(Variable.Place,
-				"'" + Variable.Name +
-					"' has numbers beside its resources, which a parameter of the shader cannot; declare them apart");
+			Error(
+				Variable.Place, "'" + Variable.Name + "' has " + FindNumber(Variable.Type) +
+									" beside its resources, which a parameter of the shader cannot; declare it apart");
 		}
 		return;
 	}
@@ -97,9 +181,10 @@ void FAnalyser::MakeGlobal(FSymbol& Symbol, FVariable& Variable)
 		Statics.push_back(Made);
 		if (Value)
 		{
-			Error(Value->Place, "'" + Variable.Name +
-									"': groupshared variables have no initial values; set it in the shader, and wait "
-									"by GroupMemoryBarrierWithGroupSync()");
+			Warn(Value->Place,
+				"'" + Variable.Name +
+					"': groupshared variables have no initial values, and this one is not used; set it in "
+					"the shader, and wait by GroupMemoryBarrierWithGroupSync()");
 		}
 		if (Options.Stage != EStage::Compute)
 		{
@@ -163,6 +248,35 @@ void FAnalyser::AddLoose(FVariable& Variable, const FDeclaration& Declaration)
 	ReadOffset(Variable, Declaration);
 }
 
+/** Parameters of the shader that nothing names: they lie in $Global beside those that are. */
+void FAnalyser::AddUnusedLoose()
+{
+	for (auto& [Name, Symbol] : File->Symbols)
+	{
+		const FDeclaration* const Declaration = Symbol.Declaration;
+		if (!Options.bAllLoose || !Global || Symbol.Kind != ESymbol::Variable || Symbol.Variable || Symbol.Buffer ||
+			!Declaration || Symbol.bBusy)
+		{
+			continue;
+		}
+		const uint32_t Modifiers = Declaration->Modifiers | Declaration->Type->Modifiers;
+		const bool bConstant = Modifiers & ModifierConst && Declaration->Value;
+		if (bConstant || Modifiers & (ModifierStatic | ModifierGroupshared))
+		{
+			continue;
+		}
+		FPosition Position;
+		Position.Scope = File;
+		Position.Order = Symbol.Order;
+		const FPositionGuard Guard(*this, Position);
+		const FType* const Type = FindDeclaredType(*Declaration);
+		if (Type->Kind != EType::Error && !HasObject(Type))
+		{
+			FindGlobal(Symbol);
+		}
+	}
+}
+
 void FAnalyser::ReadOffset(FVariable& Variable, const FDeclaration& Declaration)
 {
 	for (const FAnnotation& Annotation : Declaration.Annotations)
@@ -188,6 +302,9 @@ void FAnalyser::MakeBuffer(const FDeclaration& Declaration, FNameScope& Scope)
 	Buffer.Name = std::string(Declaration.Name.Parts.empty() ? "" : Declaration.Name.Last());
 	Buffer.Place = Declaration.Place;
 	Buffer.bTBuffer = Declaration.bTBuffer;
+	FVariable Whole;
+	Whole.Type = Types->Void();
+	CheckRegisters(Whole, Declaration);
 	uint32_t Order = Here.Order;
 	for (const FDeclaration* Member : Declaration.Members)
 	{

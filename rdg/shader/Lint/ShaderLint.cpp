@@ -3,12 +3,12 @@
 
 #include "EngineNames.h"
 #include "HlslFrontEnd.h"
+#include "HlslPartialStores.h"
 #include "HlslTokens.h"
 #include "LeftOutStages.h"
 #include "LintAllowances.h"
 #include "SpirvBarriers.h"
 #include "LintLayout.h"
-#include "LintProgram.h"
 #include "ShaderFrontEnd.h"
 #include "ShaderMessages.h"
 #include "ShaderSource.h"
@@ -95,11 +95,15 @@ void FLinter::LookAtText(const std::string& Source)
 		return;
 	}
 	const Hlsl::FAnalysis Read = Hlsl::Read(Source, Request);
-	for (const FProgramFinding& Each : LookAtProgram(*Read.Program))
+	for (const Hlsl::FPlace& Place : Hlsl::ListPartialStores(*Read.Program))
 	{
-		const std::string& File = Read.Program->Files[Each.Place.File];
-		Add(Each.Rule, File, Each.Place.Line, std::string(Each.What));
-		PartialStores.insert({File, Each.Rule == std::string_view("partial-uav-store") ? Each.Place.Line : 0});
+		const std::string& File = Read.Program->Files[Place.File];
+		Add("partial-uav-store", File, Place.Line, "");
+		PartialStores.insert({File, Place.Line});
+	}
+	for (const FDiagnostic& Warning : Read.Warnings)
+	{
+		Add("compiler-warning", Warning.File, Warning.Line, Warning.Message);
 	}
 }
 
@@ -128,11 +132,7 @@ void FLinter::LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z)
 {
 	const uint64_t Threads = uint64_t(X) * Y * Z;
 	const std::string What = std::to_string(X) + " x " + std::to_string(Y) + " x " + std::to_string(Z) + " threads";
-	if (Threads > 1024 || Z > 64)
-	{
-		Add("threads-1024", {}, 0, What);
-	}
-	else if (Threads > 512)
+	if (Threads > 512)
 	{
 		Add("threads-512", {}, 0, What);
 	}
@@ -180,11 +180,6 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 	else if (I.Op == OpImageQueryLevels)
 	{
 		AddAt("texture-levels", Module, I, "");
-	}
-	else if ((I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleExplicitLod) &&
-			 Module.GetScalarKind(I.Type, 0) != ESpirvType::Float)
-	{
-		AddAt("integer-sample", Module, I, "");
 	}
 	else if (bPixel &&
 			 (I.Op == OpImageSampleImplicitLod || I.Op == OpImageSampleDrefImplicitLod ||

@@ -50,7 +50,7 @@ TEST(LintProgram, FindingsAreNamedThoughAnotherShaderDoesNotCompile)
 	const FOutcome Found = Folder.Call("lint Part.usf Broken.usf");
 	EXPECT_EQ(2, Found.ExitCode) << Found.Printed;
 	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:11: error: threads part in line 6: a barrier that not all threads"));
-	EXPECT_THAT(Found.Printed, HasSubstr("Broken.usf:4: error: 'Missing'"));
+	EXPECT_THAT(Found.Printed, HasSubstr("Broken.usf:4:2: error: X3004: undeclared identifier 'Missing'"));
 	EXPECT_THAT(Folder.Call("lint Broken.usf").Printed, testing::Not(HasSubstr("looked at")));
 }
 

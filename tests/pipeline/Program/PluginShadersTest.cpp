@@ -16,7 +16,7 @@ using testing::Not;
 
 const std::string Plugin = R"("plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libLambdaPass.so"])";
 const std::string Broken = R"(, "cvars": {"r.LambdaPass.Broken": 1})";
-const std::string Message = "/Plugin/LambdaPass/LambdaPass.usf:15: error: 'Missing'";
+const std::string Message = "/Plugin/LambdaPass/LambdaPass.usf:15:15: error: X3004: undeclared identifier 'Missing'";
 
 size_t Count(const std::string& Text, const std::string& Part)
 {

@@ -337,7 +337,8 @@ void FReflector::AddStorageBuffer(const FSpirvVariable& Variable)
 	Resource.CounterOf = Variable.CounterOf;
 	Resource.Counter = Variable.CounterOf.empty() ? EShaderCounter::Any : FindCounter(Variable.CounterOf);
 	const bool bReadOnly = Type.Members[0].bNonWritable;
-	const bool bBytes = IsDeclaredAs(Source, bReadOnly ? "ByteAddressBuffer" : "RWByteAddressBuffer", Variable.Name);
+	const bool bBytes = (Type.Name.starts_with("type.") && Type.Name.ends_with("ByteAddressBuffer")) ||
+						IsDeclaredAs(Source, bReadOnly ? "ByteAddressBuffer" : "RWByteAddressBuffer", Variable.Name);
 	Resource.Dimension = bBytes ? EShaderDimension::ByteAddressBuffer : EShaderDimension::StructuredBuffer;
 	Add(bReadOnly ? Result.Reflection.Buffers : Result.Reflection.RWBuffers, Variable, std::move(Resource));
 }

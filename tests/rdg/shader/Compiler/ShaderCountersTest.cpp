@@ -300,14 +300,19 @@ TEST(ShaderCounters, WhatABufferHasNoMethodForIsSaidWithItsLine)
 	const std::string Buffers = "AppendStructuredBuffer<uint> Kept;\nConsumeStructuredBuffer<uint> In;\n"
 								"RWStructuredBuffer<uint> Out;\nRWByteAddressBuffer Bytes;";
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Kept.Consume();"),
-		HasSubstr("/Test/Shader.usf:8:15: error: an AppendStructuredBuffer has no Consume"));
-	EXPECT_THAT(ErrorOfShader(Buffers, "In.Append(1);"), HasSubstr("a ConsumeStructuredBuffer has no Append"));
-	EXPECT_THAT(ErrorOfShader(Buffers, "Out.Append(1);"), HasSubstr("a RWStructuredBuffer has no Append"));
+		HasSubstr(
+			"/Test/Shader.usf:8:15: error: X3018: AppendStructuredBuffer<uint> has no method 'Consume', which is of "
+			"ConsumeStructuredBuffer"));
+	EXPECT_THAT(ErrorOfShader(Buffers, "In.Append(1);"),
+		HasSubstr("ConsumeStructuredBuffer<uint> has no method 'Append', which is of AppendStructuredBuffer"));
+	EXPECT_THAT(ErrorOfShader(Buffers, "Out.Append(1);"),
+		HasSubstr("RWStructuredBuffer<uint> has no method 'Append', which is of AppendStructuredBuffer"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Kept.IncrementCounter();"),
-		HasSubstr("an AppendStructuredBuffer has no IncrementCounter"));
-	EXPECT_THAT(
-		ErrorOfShader(Buffers, "Out[0] = Kept[1];"), HasSubstr("an AppendStructuredBuffer has no elements by number"));
-	EXPECT_THAT(ErrorOfShader(Buffers, "In[0] = 1;"), HasSubstr("a ConsumeStructuredBuffer has no elements by number"));
+		HasSubstr("AppendStructuredBuffer<uint> has no method 'IncrementCounter', which is of RWStructuredBuffer"));
+	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Kept[1];"),
+		HasSubstr("'AppendStructuredBuffer<uint>' cannot be indexed; write Append(Value)"));
+	EXPECT_THAT(ErrorOfShader(Buffers, "In[0] = 1;"),
+		HasSubstr("'ConsumeStructuredBuffer<uint>' cannot be indexed; write Consume()"));
 	EXPECT_THAT(ErrorOfShader(Buffers, "Out[0] = Bytes.IncrementCounter();"),
-		HasSubstr("a RWByteAddressBuffer has no IncrementCounter"));
+		HasSubstr("RWByteAddressBuffer has no method 'IncrementCounter', which is of RWStructuredBuffer"));
 }

@@ -15,6 +15,7 @@ namespace
 
 using namespace Drydock;
 using namespace Drydock::Test;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -37,30 +38,38 @@ std::string ErrorsOfStatement(const std::string& Statement, const std::string& G
 
 TEST(ShaderErrors, SyntaxErrorHasFileAndLine)
 {
-	EXPECT_THAT(ErrorsOf("void Main()\n{\n\tint a = (1;\n}\n"), HasSubstr("/Test/Shader.usf:4: error: ')' : Expected"));
+	EXPECT_THAT(ErrorsOf("void Main()\n{\n\tint a = (1;\n}\n"),
+		HasSubstr("/Test/Shader.usf:4:12: error: X3000: syntax error: unexpected token ';'; expected ')' of the '(' in "
+				  "line 4, column 10"));
 }
 
 TEST(ShaderErrors, SeveralErrorsAreAllReported)
 {
-	const std::string Errors =
-		ErrorsOf("void Main()\n{\n\tfloat a = Foo(1), b = (2;\n}\nfloat F() { return Bar(2); }\n");
-	EXPECT_THAT(Errors, HasSubstr("/Test/Shader.usf:4: error: 'Foo' : no matching overloaded function found"));
+	const std::string Syntax = ErrorsOf("void Main()\n{\n\tfloat a = 1, b = (2;\n}\nfloat F() { return 2 +; }\n");
+	EXPECT_THAT(Syntax, AllOf(HasSubstr("/Test/Shader.usf:4:"), HasSubstr("/Test/Shader.usf:6:")));
+	const std::string Names = ErrorsOf(
+		"float F() { return Bar(2); }\n[numthreads(1, 1, 1)] void Main()\n{\n\tfloat a = Foo(1), b = F();\n}\n");
+	EXPECT_THAT(Names,
+		AllOf(HasSubstr("/Test/Shader.usf:5:12: error: X3004: undeclared identifier 'Foo': there is no such function"),
+			HasSubstr("/Test/Shader.usf:2:20: error: X3004: undeclared identifier 'Bar': there is no such function")));
 }
 
 TEST(ShaderErrors, LineSurvivesIncludesAndCarriageReturns)
 {
 	FShaderHarness Harness(
-		"#include \"Inner.ush\"\r\n\r\nfloat Broken() { return Nope; }\r\n", "Main", EShaderStage::Compute);
+		"#include \"Inner.ush\"\r\n\r\nfloat4 Main() : SV_Target0 { return Nope; }\r\n", "Main", EShaderStage::Pixel);
 	Harness.Request.GeneratedFiles.push_back({"/Test/Inner.ush", "float Fine() { return 1; }\r\n\r\n\r\n\r\n"});
 	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
-		HasSubstr("/Test/Shader.usf:3: error: 'Nope' : unknown variable"));
+		HasSubstr("/Test/Shader.usf:3:37: error: X3004: undeclared identifier 'Nope'"));
 }
 
 TEST(ShaderErrors, ErrorInAnIncludeNamesTheInclude)
 {
-	FShaderHarness Harness("#include \"Inner.ush\"\n", "Main", EShaderStage::Compute);
+	FShaderHarness Harness(
+		"#include \"Inner.ush\"\nfloat4 Main() : SV_Target0 { return Broken(); }\n", "Main", EShaderStage::Pixel);
 	Harness.Request.GeneratedFiles.push_back({"/Test/Inner.ush", "\nfloat Broken() { return Nope; }\n"});
-	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }), HasSubstr("/Test/Inner.ush:2: error: 'Nope'"));
+	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
+		HasSubstr("/Test/Inner.ush:2:25: error: X3004: undeclared identifier 'Nope'"));
 }
 
 TEST(ShaderErrors, UnknownEntryPointIsNamed)
@@ -75,7 +84,8 @@ TEST(ShaderErrors, UnknownUniformBufferMemberNamesTheNearest)
 		EShaderStage::Pixel);
 	Harness.Request.UniformBuffers = {{"View", {"ViewSize", "Exposure"}, ""}};
 	EXPECT_THAT(ErrorOf([&] { ReflectShader(Harness.Request); }),
-		HasSubstr("/Test/Shader.usf:4: error: uniform buffer 'View' has no member 'ViewSice'; did you mean ViewSize?"));
+		HasSubstr(
+			"/Test/Shader.usf:4:14: error: uniform buffer 'View' has no member 'ViewSice'; did you mean ViewSize?"));
 }
 
 TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
@@ -89,7 +99,8 @@ TEST(ShaderErrors, UnknownMemberInInactiveTextIsNone)
 TEST(ShaderRefusals, DerivativesSayWhatToDo)
 {
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = ddx(float(Id.x));"),
-		HasSubstr("/Test/Shader.usf:4: error: ddx: only pixel shaders have derivatives"));
+		HasSubstr("/Test/Shader.usf:4:14: error: X4532: ddx in a compute shader is an error: only pixel shaders have "
+				  "neighbours to take a difference from; compute the step from the size of a texel"));
 }
 
 TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
@@ -111,11 +122,10 @@ TEST(ShaderRefusals, WaveIntrinsicsOfPixelShadersAreNamedAsInHlsl)
 TEST(ShaderRefusals, TypesAreNamedAsInHlsl)
 {
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0), 0);", "Texture2DMS<float4> T;"),
-		HasSubstr("error: Texture2DMS<float4>: multisampled textures are not supported"));
+		HasSubstr("/Test/Shader.usf:2:1: error: a multisampled texture ('Texture2DMS') does not run on the CPU "
+				  "tier; resolve it into a Texture2D first"));
 	EXPECT_THAT(ErrorsOfStatement("Out[Id.xy] = T.Load(int2(0, 0));", "Texture1D<float4> T;"),
 		HasSubstr("/Test/Shader.usf:4: error: Texture1D<float4> is not supported on the CPU tier; use Texture2D"));
-	EXPECT_THAT(ErrorsOf("float4 Main(float4x4 C : TEXCOORD0) : SV_Target0 { return C[1]; }\n", EShaderStage::Pixel),
-		HasSubstr("(float4x4)"));
 }
 
 TEST(ShaderRefusals, RecursionNamesTheFunctions)
@@ -157,7 +167,8 @@ TEST(ShaderRefusals, InputsOfTypesThatNoPassFillsAreNamed)
 		HasSubstr(
 			"(TEXCOORD0) is of a type that the CPU tier does not fill (uint4); use float, float2, float3 or float4, "
 			"which keeps whole numbers up to 16777216"));
-	EXPECT_THAT(ErrorsOf("float4 Main(float4x4 C : TEXCOORD0) : SV_Target0 { return C[1]; }\n", EShaderStage::Pixel),
+	EXPECT_THAT(ErrorsOf("float4 Main(nointerpolation int2x2 C : TEXCOORD0) : SV_Target0 { return C[1].xyxy; }\n",
+					EShaderStage::Pixel),
 		HasSubstr("use float, float2, float3 or float4"));
 }
 

@@ -34,7 +34,7 @@ TEST(ShaderLanguage, Expressions)
 			{"local array, varying index", "float a[4] = { 0, 0, 0, 0 }; a[n] = 5; a[(n + 1) % 4] += 2; R = a[0] * 1000 + a[1] * 100 + a[2] * 10 + a[3];", {5200, 520, 52, 2005}},
 			{"two-dimensional array", "float a[2][3] = { { 1, 2, 3 }, { 4, 5, 6 } }; a[n % 2][1] = 9; R = a[0][1] * 10 + a[1][n % 3];", {94, 29, 96, 24}},
 			{"vector component by index", "float4 v = float4(5, 6, 7, 8); v[n] = 1; R = v[(n + 1) % 4] * 10 + v[n];", {61, 71, 81, 51}},
-			{"ternary on vectors", "float2 v = float2(x, 3 - x) > float2(1, 1) ? float2(1, 1) : float2(2, 4); R = v.x * 10 + v.y;", {21, 21, 14, 14}},
+			{"select on vectors", "float2 v = select(float2(x, 3 - x) > float2(1, 1), float2(1, 1), float2(2, 4)); R = v.x * 10 + v.y;", {21, 21, 14, 14}},
 			{"any and all", "R = (any(float2(x, 0) > 1.5) ? 1 : 0) + (all(float2(x, 3) > 1.5) ? 10 : 0);", {0, 0, 11, 11}},
 			{"static global", "Global += x; R = Global; Global = 7;", {7, 8, 9, 10}},
 			{"cast of vectors", "R = (float)((int2)float2(x + 0.75, 1)).x;", {0, 1, 2, 3}},

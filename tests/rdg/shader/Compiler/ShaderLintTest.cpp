@@ -83,7 +83,6 @@ std::vector<FPlanted> GetPlanted()
 	};
 	const std::string Float4 = "RWTexture2D<float4> Out;";
 	const std::string Uint = "RWStructuredBuffer<uint> Out;";
-	const std::string Sampled = "Texture2D T; SamplerState S; RWTexture2D<float4> Out;";
 	return {
 		{"atomics-texture", 5, MakeRequest(Compute("RWTexture2D<uint> Out;", "	InterlockedAdd(Out[Id.xy], 1);")),
 			MakeRequest(Compute(Uint, "	InterlockedAdd(Out[Id.x], 1);"))},
@@ -97,9 +96,6 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute(Uint + " uint Count;", "	Out[0] = Count;"))},
 		{"constant-buffer-size", 0, MakeRequest(Compute(Uint + " float4 V[4097];", "	Out[Id.x] = uint(V[Id.x].x);")),
 			MakeRequest(Compute(Uint + " float4 V[4096];", "	Out[Id.x] = uint(V[Id.x].x);"))},
-		{"derivative-compute", 5, MakeRequest(Compute(Sampled, "	Out[Id.xy] = T.Sample(S, Id.xy / 8.0);")),
-			MakeRequest(Compute(Sampled + "float4 F() { return T.Sample(S, 0); }",
-				"	Out[Id.xy] = T.SampleLevel(S, Id.xy / 8.0, 0);"))},
 		{"derivative-divergent", 4,
 			MakeRequest("Texture2D T; SamplerState S;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n"
 						"{ float4 C = 0; if (P.x > 8)\n	C = T.Sample(S, P.xy); return C; }\n",
@@ -107,6 +103,8 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest("Texture2D T; SamplerState S; int Use;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n"
 						"{ float4 C = 0; if (Use > 8)\n	C = T.Sample(S, P.xy); return C; }\n",
 				Pixel)},
+		{"compiler-warning", 5, MakeRequest(Compute("RWBuffer<float> Out;", "	float A = Id.xy; Out[Id.x] = A;")),
+			MakeRequest(Compute("RWBuffer<float> Out;", "	float A = Id.x; Out[Id.x] = A;"))},
 		{"float3-layout", 6,
 			MakeRequest(Compute("struct E { float A; float3 B; };\nStructuredBuffer<E> In; RWBuffer<float> Out;",
 				"	Out[Id.x] = In[Id.x].B.z;")),
@@ -119,10 +117,6 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;"))},
 		{"double", 0, MakeRequest(Compute("RWStructuredBuffer<double> Out;", "	Out[Id.x] = Id.x * 0.1L;")),
 			MakeRequest(Compute("RWStructuredBuffer<float> Out;", "	Out[Id.x] = Id.x * 0.1;"))},
-		{"integer-sample", 5,
-			MakeRequest(Compute("Texture2D<uint> T; SamplerState S; RWStructuredBuffer<uint> Out;",
-				"	Out[Id.x] = T.SampleLevel(S, 0.5, 0);")),
-			MakeRequest(Compute("Texture2D<uint> T; RWStructuredBuffer<uint> Out;", "	Out[Id.x] = T[Id.xy];"))},
 		{"not-in-engine", 1,
 			MakeRequest("#include \"/Drydock/Private/ScreenMapping.ush\"\n" +
 						Compute(Float4, "	Out[Id.xy] = MapPixelToInputUV(Id.xy, 0, 1, 0, 1).xyxy;")),
@@ -151,8 +145,6 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute("Texture2D T;" + Uint, "	uint W, H; T.GetDimensions(W, H); Out[0] = W;"))},
 		{"texture-read-write", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
 			MakeRequest(Compute(Float4 + "RWTexture2D<float4> In;", "	Out[Id.xy] = In[Id.xy] * 2;"))},
-		{"threads-1024", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "64, 32, 1")),
-			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "8, 1, 64"))},
 		{"threads-512", 0, MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 32, 1")),
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;", "32, 16, 1"))},
 		{"typed-uav-load", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
@@ -335,7 +327,7 @@ TEST(ShaderLint, EachEntryOfAFileIsReadWithoutTheOthers)
 	for (const char* const Number : {"1", "2", "3"})
 	{
 		Text += std::string("[numthreads(32, 32, 1)]\nvoid Part") + Number +
-				"CS(uint2 P : SV_DispatchThreadID)\n{\n	CalledCS(P);\n	Out[P].y = T.Sample(S, 0).x;\n}\n" +
+				"CS(uint2 P : SV_DispatchThreadID)\n{\n	CalledCS(P);\n	Out[P].y = T.SampleLevel(S, 0, 0).x;\n}\n" +
 				"float4 Shown" + Number + "PS(float4 P : SV_POSITION) : SV_Target0\n{\n#if PIXELSHADER\n" +
 				"	return ddx(P.x) * H(P.y);\n#endif\n	return 0;\n}\n";
 	}

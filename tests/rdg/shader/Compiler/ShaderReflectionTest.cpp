@@ -144,6 +144,18 @@ TEST(ShaderReflection, ConstantBuffersKeepTheirNames)
 	EXPECT_FALSE(Find(Reflection, "View_A").bUsed);
 }
 
+TEST(ShaderReflection, RowsOfAMatrixAreInputsOneBehindTheOther)
+{
+	const auto Count = [](const std::string& Row)
+	{
+		return Reflect(
+			"float4 Main(float4x4 M : TEXCOORD1) : SV_Target0 { return M[" + Row + "]; }\n", EShaderStage::Pixel)
+			.NumInterpolants;
+	};
+	EXPECT_EQ(2, Count("0"));
+	EXPECT_EQ(4, Count("2"));
+}
+
 TEST(ShaderReflection, OnlyUsedResourcesAreListed)
 {
 	const FShaderReflection Reflection =

@@ -333,7 +333,8 @@ TEST(ShaderWideForms, WhatCannotBeSaysSo)
 		return ErrorOf([&] { CompileShader(Harness.Request); });
 	};
 	const std::string Texture = "Texture2D T; SamplerState S; RWStructuredBuffer<float4> O;\n";
-	EXPECT_NE(std::string::npos, Refuse(Texture, "O[0] = T.Sample(S, 0.5, int2(0, 0), 1.5);").find("use SampleLevel"));
+	EXPECT_NE(
+		std::string::npos, Refuse(Texture, "O[0] = T.Sample(S, 0.5, int2(0, 0), 1.5);").find("write SampleLevel"));
 	EXPECT_NE(std::string::npos, Refuse(Texture, "uint Status; Out = T.Sample(S, P.xy, int2(0, 0), 1.5, Status);", true)
 									 .find("leave that argument out"));
 	EXPECT_NE(std::string::npos, Refuse(Texture, "uint Status; Out = T.Load(int3(0, 0, 0), int2(0, 0), Status);", true)

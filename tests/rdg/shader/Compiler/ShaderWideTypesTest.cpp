@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -167,6 +168,12 @@ std::vector<T> ComputeIntegers(T A, T B)
 	constexpr int Width = 8 * sizeof(T);
 	const bool bWraps = std::is_signed_v<T> && B == T(-1);
 	const int Count = int(U(B) & U(Width - 1));
+	const U High = A < 0 ? U(~A) : U(A);
+	T Turned = 0;
+	for (int i = 0; i < Width; ++i)
+	{
+		Turned = T(Turned | T(T(U(A) >> i & 1) << (Width - 1 - i)));
+	}
 	return {T(U(A) + U(B)), T(U(A) - U(B)), T(uint64_t(U(A)) * U(B)),
 		B == 0   ? T(-1)
 		: bWraps ? T(U(0) - U(A))
@@ -175,11 +182,13 @@ std::vector<T> ComputeIntegers(T A, T B)
 		: bWraps ? T(0)
 				 : T(A % B),
 		T(uint64_t(U(A)) << Count), T(A >> Count), T(A & B), T(A | B), T(A ^ B), T(~A), T(U(0) - U(A)), T(A < B),
-		T(A >= B), T(A == B), std::min(A, B), std::max(A, B)};
+		T(A >= B), T(A == B), std::min(A, B), std::max(A, B), T(std::popcount(U(A))),
+		A == 0 ? T(-1) : T(std::countr_zero(U(A))), High == 0 ? T(-1) : T(Width - 1 - std::countl_zero(High)), Turned};
 }
 
 const std::vector<std::string> IntegerExpressions = {"A + B", "A - B", "A * B", "A / B", "A % B", "A << B", "A >> B",
-	"A & B", "A | B", "A ^ B", "~A", "-A", "T(A < B)", "T(A >= B)", "T(A == B)", "min(A, B)", "max(A, B)"};
+	"A & B", "A | B", "A ^ B", "~A", "-A", "T(A < B)", "T(A >= B)", "T(A == B)", "min(A, B)", "max(A, B)",
+	"T(countbits(A))", "T(int(firstbitlow(A)))", "T(int(firstbithigh(A)))", "reversebits(A)"};
 
 std::vector<std::string> WithType(std::vector<std::string> Expressions, const std::string& Type)
 {
@@ -228,7 +237,8 @@ TEST(ShaderWideTypes, DoublesAreThoseOfCppAndKeepDenormals)
 	MakeInputs<double>({0.0, -0.0, 1.0, -1.5, Inf, -Inf, std::nan(""), 5e-324, -1e-310, 1.7e308, 0.1, 1e-40}, A, B);
 	const std::vector<std::string> Expressions = {"A + B", "A - B", "A * B", "A / B", "-A", "abs(A)", "double(A < B)",
 		"double(A == B)", "double(A != B)", "double(float(A))", "sqrt(A)", "floor(A)", "fma(A, B, A)", "min(A, B)",
-		"double(int(A))", "double(uint(B))", "double(int64_t(A))", "B < 0 ? A : 0.1L"};
+		"double(int(A))", "double(uint(B))", "double(int64_t(A))", "B < 0 ? A : 0.1L", "ceil(A)", "trunc(A)",
+		"round(A)", "double(isinf(A))", "double(isnan(A))"};
 	FEverywhere Everywhere(MakeShader("double", "double", Expressions), false);
 	Everywhere.Inputs = {{"InA", ToWords(A)}, {"InB", ToWords(B)}};
 	Everywhere.NumOutputWords = NumThreads * Expressions.size() * 2;
@@ -250,7 +260,8 @@ TEST(ShaderWideTypes, DoublesAreThoseOfCppAndKeepDenormals)
 				: X < Y ? X
 						: Y,
 				Saturate(X, -2147483648.0, 2147483647.0) + 0.0, Saturate(Y, 0, 4294967295.0) + 0.0, Long + 0.0,
-				Y < 0 ? X : 0.1};
+				Y < 0 ? X : 0.1, std::ceil(X), std::trunc(X), std::nearbyint(X), double(std::isinf(X)),
+				double(std::isnan(X))};
 		});
 	FEverywhere Waves(MakeShader("double", "double", {"WaveActiveSum(A)"}), false); // waves of the group's 8 threads
 	Waves.Inputs = {{"InA", ToWords(std::vector<double>(NumThreads, 5e-324))}, {"InB", ToWords(B)}};
@@ -490,7 +501,8 @@ TEST(ShaderWideTypes, WhatTheyCannotDoIsAMessage)
 		"SV_DispatchThreadID)\n{\n\tswitch (Out[Id.x]) { case 1: Out[Id.x] = 2; break; default: break; }\n}\n";
 	FShaderHarness Harness(Switch, "MainCS", EShaderStage::Compute);
 	Harness.Buffers["Out"].resize(16);
-	EXPECT_THAT(ErrorOf([&] { Harness.Run(0, 8, 1); }), HasSubstr("/Test/Shader.usf:5: error: "));
+	EXPECT_THAT(ErrorOf([&] { Harness.Run(0, 8, 1); }),
+		HasSubstr("/Test/Shader.usf:5:13: error: X3000: switch takes an int or a uint, not 'int64_t'; cast it"));
 }
 
 } // namespace Drydock::Test

@@ -203,12 +203,13 @@ TEST(HlslNumbers, AreReadWithTheirTypes)
 		{"0xFFFFFFFFFFFFFFFF", EScalar::LiteralInt, UINT64_MAX}, {"1.5f", EScalar::Float, BitsOfFloat(1.5f)},
 		{"1.F", EScalar::Float, BitsOfFloat(1)}, {".5", EScalar::LiteralFloat, BitsOfDouble(0.5)},
 		{"1e3L", EScalar::Double, BitsOfDouble(1000)}, {"1e-3", EScalar::LiteralFloat, BitsOfDouble(1e-3)},
-		{"0.1", EScalar::LiteralFloat, BitsOfDouble(0.1)}, {"0.1f", EScalar::Float, BitsOfFloat(0.1f)},
-		{"08.5", EScalar::LiteralFloat, BitsOfDouble(8.5)}, {"1.1h", EScalar::MinFloat, BitsOfFloat(1.1f)},
-		{"16777217.0f", EScalar::Float, BitsOfFloat(16777216)}, {"1e39f", EScalar::Float, BitsOfFloat(GConstantsInf)},
-		{"1e-60f", EScalar::Float, 0}, {"1e400", EScalar::LiteralFloat, BitsOfDouble(INFINITY)},
-		{"1e-400", EScalar::LiteralFloat, 0}, {"1e-45f", EScalar::Float, 1},
-		{"1E+2", EScalar::LiteralFloat, BitsOfDouble(100)}};
+		{"9223372036854775808", EScalar::Ulong, 1ull << 63}, {"0b101", EScalar::LiteralInt, 5},
+		{"1.#INF", EScalar::Float, BitsOfFloat(GConstantsInf)}, {"0.1", EScalar::LiteralFloat, BitsOfDouble(0.1)},
+		{"0.1f", EScalar::Float, BitsOfFloat(0.1f)}, {"08.5", EScalar::LiteralFloat, BitsOfDouble(8.5)},
+		{"1.1h", EScalar::MinFloat, BitsOfFloat(1.1f)}, {"16777217.0f", EScalar::Float, BitsOfFloat(16777216)},
+		{"1e39f", EScalar::Float, BitsOfFloat(GConstantsInf)}, {"1e-60f", EScalar::Float, 0},
+		{"1e400", EScalar::LiteralFloat, BitsOfDouble(INFINITY)}, {"1e-400", EScalar::LiteralFloat, 0},
+		{"1e-45f", EScalar::Float, 1}, {"1E+2", EScalar::LiteralFloat, BitsOfDouble(100)}};
 	for (const FExample& Example : Examples)
 	{
 		std::string Error;
@@ -221,7 +222,7 @@ TEST(HlslNumbers, AreReadWithTheirTypes)
 	EXPECT_EQ(ReadNumber("1.5h", Error, true)->Scalar, EScalar::Half);
 	EXPECT_EQ(ReadNumber("1.5h", Error, true)->Bits, 0x3E00u);
 	for (const char* const Text : {"", "0x", "1.5x", "1.2.3", "12abc", "08", "1e", "1e+", "99999999999999999999",
-			 "4294967296u", "9223372036854775808", "0x1FFFFFFFFu", "1f", "1uu", "1.5u", "0xG", "--1", "1lll", "."})
+			 "4294967296u", "0x1FFFFFFFFu", "1f", "1uu", "1.5u", "0xG", "--1", "1lll", "."})
 	{
 		Error.clear();
 		EXPECT_FALSE(ReadNumber(Text, Error)) << Text;

@@ -245,13 +245,13 @@ TEST_F(HlslConversions, EnumerationsAndBases)
 TEST_F(HlslConversions, ScalarsMeet)
 {
 	const char* const Rows[][3] = {{"bool", "bool", "int"}, {"bool", "float", "float"}, {"bool", "1", "int"},
-		{"int", "uint", "uint"}, {"int", "int64_t", "int64_t"}, {"uint", "int64_t", "int64_t"},
-		{"uint64_t", "int64_t", "uint64_t"}, {"int16_t", "int", "int"}, {"uint16_t", "int", "int"},
-		{"min16uint", "int", "int"}, {"half", "float", "float"}, {"float", "double", "double"}, {"1", "half", "half"},
-		{"1", "uint", "uint"}, {"1", "int64_t", "int64_t"}, {"1.0", "int", "float"}, {"1.0", "half", "half"},
-		{"1.0", "double", "double"}, {"1.0", "uint64_t", "float"}, {"1", "1", "literal int"},
-		{"1", "1.0", "literal float"}, {"int", "half", "half"}, {"int64_t", "float", "float"},
-		{"float16_t", "uint", "float16_t"}};
+		{"int", "uint", "uint"}, {"int", "int64_t", "int64_t"}, {"uint", "int64_t", "uint64_t"},
+		{"uint64_t", "int64_t", "uint64_t"}, {"int16_t", "int", "int"}, {"uint16_t", "int", "uint"},
+		{"min16uint", "int", "uint"}, {"bool", "int16_t", "int16_t"}, {"half", "float", "float"},
+		{"float", "double", "double"}, {"1", "half", "half"}, {"1", "uint", "uint"}, {"1", "int64_t", "int64_t"},
+		{"1.0", "int", "float"}, {"1.0", "half", "half"}, {"1.0", "double", "double"}, {"1.0", "uint64_t", "float"},
+		{"1", "1", "literal int"}, {"1", "1.0", "literal float"}, {"int", "half", "half"},
+		{"int64_t", "float", "float"}, {"float16_t", "uint", "float16_t"}};
 	for (const auto& [A, B, Both] : Rows)
 	{
 		EXPECT_EQ(Meet(A, B), Both) << A << " with " << B;
@@ -263,12 +263,13 @@ TEST_F(HlslConversions, ShapesMeet)
 {
 	const char* const Rows[][3] = {{"float4", "float3", "float3 cut"}, {"float3", "float4", "float3 cut"},
 		{"float2", "int4", "float2 cut"}, {"float4x4", "float", "float4x4"}, {"int", "float3", "float3"},
-		{"float1", "float3", "float3"}, {"float1", "float", "float1"}, {"float4x4", "int4x4", "float4x4"},
-		{"float4x4", "float1x4", "float1x4 cut"}, {"float4x4", "float3x2", "float3x2 cut"},
-		{"float2x3", "float3x2", "error"}, {"float1x4", "float2x3", "error"}, {"float4", "float4x4", "error"},
-		{"float4x4", "float4", "error"}, {"float3", "float1x4", "float3 cut"}, {"float1x4", "float2", "float2 cut"},
-		{"float4", "float2x2", "float4"}, {"float2x2", "float4", "float2x2"}, {"float4", "float1x4", "float4"},
-		{"S2", "int", "error"}, {"A2", "A2", "error"}, {"bool3", "bool3", "int3"}, {"1", "half3", "half3"}};
+		{"float1", "float3", "float3"}, {"float1", "float", "float"}, {"float", "float1", "float"},
+		{"float4x4", "int4x4", "float4x4"}, {"float4x4", "float1x4", "float1x4 cut"},
+		{"float4x4", "float3x2", "float3x2 cut"}, {"float2x3", "float3x2", "error"}, {"float1x4", "float2x3", "error"},
+		{"float4", "float4x4", "error"}, {"float4x4", "float4", "error"}, {"float3", "float1x4", "float3 cut"},
+		{"float1x4", "float2", "float2 cut"}, {"float4", "float2x2", "float4"}, {"float2x2", "float4", "float2x2"},
+		{"float4", "float1x4", "float4"}, {"S2", "int", "error"}, {"A2", "A2", "error"}, {"bool3", "bool3", "int3"},
+		{"1", "half3", "half3"}};
 	for (const auto& [A, B, Both] : Rows)
 	{
 		EXPECT_EQ(Meet(A, B), Both) << A << " with " << B;

@@ -264,7 +264,7 @@ TEST(HlslEmitter, WhatItCannotWriteIsAMessageWithItsPlace)
 {
 	EXPECT_THAT(ErrorOfEmitted("RWStructuredBuffer<float> A[];", "A[n][0] = 1;"), HasSubstr("without a size"));
 	EXPECT_THAT(ErrorOfEmitted("struct FM { RWBuffer<uint> A; float B; };\nFM Mix;", "Mix.A[0] = uint(Mix.B);"),
-		HasSubstr("numbers beside its resources"));
+		HasSubstr("the number 'B' beside its resources"));
 	EXPECT_THAT(ErrorOfEmitted("RWTexture2D<uint64_t> T;", "T[Id.xy] = 1;"), HasSubstr("texels have 32 bits"));
 }
 

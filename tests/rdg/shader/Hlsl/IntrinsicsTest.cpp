@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace Drydock::Hlsl
 {
 
@@ -74,6 +76,8 @@ void CheckIntrinsics(std::initializer_list<FExpectedCall> Calls)
 
 TEST(HlslIntrinsics, RealsGoByComponents)
 {
+	// D3D's compilers make floats of doubles with a warning. Here they stay what SPIR-V has for them.
+	const std::set<std::string> Wide = {"ceil", "floor", "frac", "round", "rsqrt", "sqrt", "trunc"};
 	for (const std::string Name : {"acos", "asin", "atan", "ceil", "cos", "cosh", "degrees", "exp", "exp2", "floor",
 			 "frac", "log", "log10", "log2", "radians", "round", "rsqrt", "sin", "sinh", "sqrt", "tan", "tanh", "trunc",
 			 "ddx", "ddy", "ddx_coarse", "ddx_fine", "ddy_coarse", "ddy_fine", "fwidth"})
@@ -82,7 +86,7 @@ TEST(HlslIntrinsics, RealsGoByComponents)
 		EXPECT_EQ(CallIntrinsic(Name + "(float3)"), "float3(float3)") << Name;
 		EXPECT_EQ(CallIntrinsic(Name + "(float16_t2)"), "float16_t2(float16_t2)") << Name;
 		EXPECT_EQ(CallIntrinsic(Name + "(int2)"), "float2(float2)") << Name;
-		EXPECT_EQ(CallIntrinsic(Name + "(double)"), "float(float)") << Name; // D3D's compilers warn
+		EXPECT_EQ(CallIntrinsic(Name + "(double)"), Wide.count(Name) ? "double(double)" : "float(float)") << Name;
 		EXPECT_EQ(CallIntrinsic(Name + "(bool)"), "float(float)") << Name;
 		EXPECT_EQ(CallIntrinsic(Name + "(1)"), "float(float)") << Name;
 		EXPECT_EQ(CallIntrinsic(Name + "(1.0)"), "float(float)") << Name;
@@ -212,7 +216,6 @@ TEST(HlslIntrinsics, NineProducts)
 		{"mul(double2x2, double2)", "double2(double2x2, double2)"},
 		// What is too long is cut.
 		{"mul(float4, float3x3)", "float3(float3, float3x3)"}, {"mul(float3, float4x4)", "float4(float3, float3x4)"},
-		{"mul(float4x4, float3)", "float4(float4x3, float3)"},
 		{"mul(float4x3, float4x4)", "float4x4(float4x3, float3x4)"},
 		{"mul(float1, float4x4)", "float4(float1, float1x4)"},
 		{"mul(float3x1, float1x3)", "float3x3(float3x1, float1x3)"}, {"mul(bool2, bool2)", "int(int2, int2)"}});

@@ -154,7 +154,7 @@ std::string RepeatText(const std::string& Text, size_t Count)
 TEST(HlslParserErrors, BoundsDepth)
 {
 	const std::string Deep =
-		"the text is nested too deep: more than 256 levels of parentheses, blocks, types and operators";
+		"the text is nested too deep: more than 600 levels of parentheses, blocks, types and operators";
 	EXPECT_EQ(ParseBodyErrors("x = " + RepeatText("(", 200) + "1" + RepeatText(")", 200) + ";"), "");
 	EXPECT_NE(ParseBodyErrors("x = " + RepeatText("(", 2000) + "1" + RepeatText(")", 2000) + "; y = 1;").find(Deep),
 		std::string::npos);

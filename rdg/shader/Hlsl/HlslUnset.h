@@ -1,0 +1,16 @@
+// Finds local variables that are read where nothing may have set them.
+#pragma once
+
+#include "HlslProgram.h"
+
+#include <utility>
+#include <vector>
+
+namespace Drydock::Hlsl
+{
+
+/** Each variable once, with the first place. What sets a part counts as setting all; a loop counts as run at least
+ * once. */
+std::vector<std::pair<const FVariable*, FPlace>> FindUnset(const FFunction& Function);
+
+} // namespace Drydock::Hlsl
