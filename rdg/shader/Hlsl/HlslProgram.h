@@ -67,9 +67,8 @@ enum class EValue : uint8_t
 	Swizzle, // components Parts of Operands[0], a scalar or vector
 	Elements, // elements Parts of Operands[0], a matrix, each as row * 4 + column
 	Unary,    // Operator: - ! ~, by components; the operand has the type of the result
-	Binary,   // Operator; both operands have one type; comparisons give bool of that shape. % of reals is truncated
-			// (fmod)
-	And, // && of bool scalars: the right side is run only where the left is true
+	Binary,   // Operator; both operands have one type; comparisons give bool of its shape. % of reals truncates (fmod)
+	And,      // && of bool scalars: the right side is run only where the left is true
 	Or,
 	Choose,  // ?: of a bool scalar: only the side that is taken is run
 	Select,  // select(): by components, all sides are run; the condition is a bool of the result's shape
