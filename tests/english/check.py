@@ -71,7 +71,7 @@ def texts_in_quotes(text):
     joined = re.sub(r'"\)?\s*(?:TEXT\()?"', "", text)
     joined = re.sub(r'"\s*\+[^";{}]*\+\s*"', "X", joined)
     for found in re.finditer(r'"((?:[^"\\\n]|\\.)*)"', joined):
-        if " " in found[1] and not joined[:found.start()].endswith("#include "):
+        if re.search(r"[.,;:!?'(]|\b(a|the|is)\b", found[1]) and " " in found[1] and not joined[:found.start()].endswith("#include "):
             yield found[1].replace("\\n", "\n").replace('\\"', "'")
 
 

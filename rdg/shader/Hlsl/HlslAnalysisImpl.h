@@ -16,7 +16,7 @@
 namespace Drydock::Hlsl
 {
 
-/** Where the analysis stands. */
+/** The place that the analysis is at. */
 struct FPosition
 {
 	FNameScope* Scope = nullptr;

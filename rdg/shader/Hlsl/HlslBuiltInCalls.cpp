@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 5> ImplicitLevels = {
 
 } // namespace
 
-/** What a stage does not have. */
+/** Calls that a stage does not have. */
 bool FAnalyser::CheckStage(std::string_view Name, bool bMethod, const FPlace& Place)
 {
 	const std::string Quoted = (bMethod ? "." : "") + std::string(Name);

@@ -1,4 +1,4 @@
-// What a call is made of: arguments, those that the declaration gives, the function for the type of the object.
+// The parts of a call: arguments, those that the declaration gives, the function for the type of the object.
 #include "HlslAnalysisImpl.h"
 
 namespace Drydock::Hlsl

@@ -159,7 +159,7 @@ FValue* FAnalyser::CallSymbol(const FExpression& Tree, FSymbol& Symbol, FNameSco
 FValue* FAnalyser::CallMember(const FExpression& Tree)
 {
 	const FExpression& Member = *Tree.Operands[0];
-	FValue* Object = FindUniform(Member); // View.Texture(...) is no call
+	FValue* Object = FindUniform(Member); // View.Texture(...) is not a call
 	if (Object)
 	{
 		AnalyseArguments(Tree, 1);

@@ -1,4 +1,4 @@
-// Which function of a name a call means: prototypes with their definitions, templates, and what is said where none
+// Which function of a name a call means: prototypes with their definitions, templates, and the message where none
 // fits.
 #include "HlslAnalysisImpl.h"
 
@@ -232,7 +232,7 @@ FOverload* FAnalyser::Choose(FSymbol& Symbol, const FNamePart& Part, const FArgu
 	const FOverloadChoice Unplaced = Choice.Ambiguous.empty() ? ChooseOverload(*Types, Overloaded, Passed) : Choice;
 	if (Unplaced.Best && Unplaced.Ambiguous.empty())
 	{
-		return Candidates[*Unplaced.Best]; // the argument's own message says why it cannot be written to
+		return Candidates[*Unplaced.Best]; // the argument has a message of its own
 	}
 	if (FOverload* const Special = ChooseMoreSpecial(Candidates, Choice.Ambiguous))
 	{
@@ -263,7 +263,8 @@ FOverload* FAnalyser::Choose(FSymbol& Symbol, const FNamePart& Part, const FArgu
 	return nullptr;
 }
 
-/** Of equally good ones: what is no template, then the template whose parameters say more. */
+/** Chooses among equally good ones: a function that is not a template, then the template with the narrower parameters.
+ */
 FOverload* FAnalyser::ChooseMoreSpecial(const std::vector<FOverload*>& Candidates, const std::vector<size_t>& Equal)
 {
 	const auto Rank = [&](size_t Index) // the fewer the more special

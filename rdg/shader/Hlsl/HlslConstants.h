@@ -8,7 +8,7 @@ namespace Drydock::Hlsl
 
 /** The constant that a value is, if all it depends on is: Constant, Variable with a constant, Member, Index, Swizzle,
  * Elements, Unary, Binary, And, Or, Choose, Select, Convert, Compose, Zero, Cast, Comma, pure Intrinsic. Nothing where
- * it is not constant, or where the operation has no defined result (integer division by 0: Error says so). */
+ * it is not constant, or where the operation has no defined result (integer division by 0: Error has the reason). */
 DRYDOCK_API std::optional<FConstant> Fold(FTypes& Types, const FValue& Value, std::string* Error = nullptr);
 
 /** Another scalar's bits of the same number, as Convert does at run time. */

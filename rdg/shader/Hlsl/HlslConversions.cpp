@@ -15,7 +15,7 @@ namespace Drydock::Hlsl
 namespace
 {
 
-/** What happens to the shape of a numeric value. */
+/** How the shape of a numeric value changes. */
 enum class EReshape : uint8_t
 {
 	None, // it cannot be
@@ -45,7 +45,7 @@ EReshape FindReshape(const FType* From, const FType* To)
 	{
 		return EReshape::Regroup;
 	}
-	// Of vectors, and of matrices that are one.
+	// Vectors, and matrices that are one.
 	const auto IsLine = [](const FType* Type)
 	{
 		return Type->Rows == 1 || Type->Columns == 1;

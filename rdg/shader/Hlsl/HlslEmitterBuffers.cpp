@@ -1,4 +1,4 @@
-// What is bound to a shader: constant buffers, and the variables of resources.
+// Emits the things that are bound to a shader: constant buffers, and the variables of resources.
 #include "HlslEmitterImpl.h"
 
 namespace Drydock::Hlsl
@@ -258,7 +258,7 @@ uint32_t FEmitter::MakeBuffer(const std::string& Name, const std::string& Type, 
 	return Id;
 }
 
-/** Of a ConstantBuffer: the members of its struct, named after the variable. */
+/** The members of a ConstantBuffer's struct, named after the variable. */
 uint32_t FEmitter::MakeConstantBlock(const FLeaf& Leaf)
 {
 	const FStructType& Of = *Leaf.Type->Element->Struct;
@@ -328,7 +328,7 @@ uint32_t FEmitter::CounterOf(FLeaf& Leaf)
 	return Leaf.Counter;
 }
 
-/** The same memory as numbers of another width. Of: the word in its name. */
+/** The same memory as numbers of another width. Of is the word in its name. */
 uint32_t FEmitter::ViewOf(FLeaf& Leaf, const std::string& Of, EScalar Scalar)
 {
 	uint32_t& Id = Leaf.Views[Of];

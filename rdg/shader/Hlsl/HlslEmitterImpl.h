@@ -243,7 +243,7 @@ private:
 	// HlslEmitterValues.cpp
 	uint32_t Value(const FValue& Value);
 	uint32_t ValueOf(const FValue& Value);
-	uint32_t PartOf(const FValue& Value); // of what is no place
+	uint32_t PartOf(const FValue& Value); // of a value that is not a place
 	uint32_t Operate(const FValue& Value);
 	uint32_t Arithmetic(std::string_view Operator, const FType* Type, uint32_t A, uint32_t B, const FType* Count);
 	uint32_t ShortCircuit(const FValue& Value);
@@ -262,7 +262,7 @@ private:
 	uint32_t Build(const FType* To, const std::vector<FPart>& Parts);
 	uint32_t BuildPart(const FType* To, const std::vector<FPart>& Parts, size_t& Part, uint32_t& Offset);
 	using FRowWork = std::function<uint32_t(const FType* Row, const FWords& Ids)>;
-	/** Work for each row where the result is a matrix: operands that are no matrices are given whole. */
+	/** Work for each row where the result is a matrix: other operands are given whole. */
 	uint32_t ByRows(const FType* Result, const std::vector<FPart>& Operands, const FRowWork& Work);
 	uint32_t ByScalars(const FType* Result, const std::vector<FPart>& Operands, const FRowWork& Work);
 
@@ -296,7 +296,7 @@ private:
 	uint32_t Bitwise(uint32_t Id, EScalar From, EScalar To);
 
 	// HlslEmitterMethods.cpp, HlslEmitterBytes.cpp
-	/** What an instruction on an image is given; 0: not. */
+	/** Operands of an instruction on an image; 0: not given. */
 	struct FSampling
 	{
 		uint32_t At = 0;

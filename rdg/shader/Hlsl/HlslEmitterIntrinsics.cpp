@@ -373,7 +373,7 @@ uint32_t FEmitter::Simple(const FValue& Node, const FArguments& In)
 	return ByRows(Node.Type, In, [&](const FType* Part, const FWords& Ids) { return Component(Node, Part, Ids); });
 }
 
-/** What goes by components. Part: of the result. */
+/** Intrinsics that go by components. Part: of the result. */
 uint32_t FEmitter::Component(const FValue& Node, const FType* Part, const FWords& Ids)
 {
 	const std::string_view Name = Node.Name;

@@ -57,7 +57,7 @@ uint32_t FEmitter::Method(const FValue& Node)
 	Fail(Node.Place, "the method '" + std::string(Name) + "' does not run on the CPU tier");
 }
 
-/** Where each argument of a Sample* stands. Source: Microsoft's reference of texture objects. */
+/** The position of each argument of a Sample*. Source: Microsoft's reference of texture objects. */
 FEmitter::FSampling FEmitter::ReadSampling(const FValue& Node)
 {
 	FSampling Result;

@@ -1,4 +1,4 @@
-// Resources as values: which of them a variable, an argument or an element of an array may be. What is known here is
+// Resources as values: which of them a variable, an argument or an element of an array may be. A known one is
 // resolved; the rest is a number, by which each use chooses.
 #include "HlslEmitterImpl.h"
 

@@ -33,7 +33,7 @@ FTarget FEmitter::Local(uint32_t Pointer, const FType* Type, uint32_t Storage)
 	return Target;
 }
 
-/** Of what is no place: of a copy. */
+/** The part of a value that is not a place: of a copy. */
 FTarget FEmitter::Place(const FValue& Node)
 {
 	switch (Node.Kind)

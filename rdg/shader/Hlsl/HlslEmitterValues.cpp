@@ -154,7 +154,7 @@ uint32_t FEmitter::ValueOf(const FValue& Node)
 	case EValue::String:
 		break;
 	}
-	Fail(Node.Place, "a text is no value here");
+	Fail(Node.Place, "a text is not a value here");
 }
 
 /** A part of a value that lies nowhere: a result, a constant. */

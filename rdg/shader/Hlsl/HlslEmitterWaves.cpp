@@ -1,4 +1,4 @@
-// What threads do together: waves, quads, barriers, atomics.
+// Emits the work that threads do together: waves, quads, barriers, atomics.
 #include "HlslEmitterImpl.h"
 
 #include <algorithm>

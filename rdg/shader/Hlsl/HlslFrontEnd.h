@@ -7,8 +7,8 @@
 namespace Drydock::Hlsl
 {
 
-/** Reads and analyses a text, for Compile and for those who look at the program or its warnings. Throws FError as Compile
- * does. */
+/** Reads and analyses a text, for Compile and for those who look at the program or its warnings. Throws FError as
+ * Compile does. */
 DRYDOCK_API FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request);
 
 /** Text: preprocessed, with `#line`, nothing rewritten, the declarations of uniform buffers before it. Throws FError

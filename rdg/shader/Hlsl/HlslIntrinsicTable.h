@@ -61,7 +61,7 @@ struct FIntrinsic
 const FIntrinsic* FindIntrinsic(std::string_view Name);
 std::span<const FIntrinsic> GetIntrinsics();
 
-/** Where a signature's letters come from in a method. */
+/** The types that a signature's letters stand for in a method. */
 struct FMethodContext
 {
 	const FType* Object = nullptr;
@@ -77,7 +77,7 @@ struct FMethodRow
 };
 std::span<const FMethodRow> GetMethodRows();
 
-/** The signature that fits. Where none does, FIntrinsicCall::Error says what was expected. Signatures: those of one
+/** The signature that fits. If none does, FIntrinsicCall::Error has the expected ones. Signatures: those of one
  * name. */
 FIntrinsicCall ChooseSignature(FTypes& Types, std::string_view Name, std::span<const FSignature> Signatures,
 	const std::vector<const FType*>& Arguments, const FMethodContext* Method = nullptr);

@@ -12,7 +12,7 @@ namespace Drydock::Hlsl
 namespace
 {
 
-/** mul of vectors and matrices: a vector is a row on the left and a column on the right. What is
+/** mul of vectors and matrices: a vector is a row on the left and a column on the right. A part that is
  * too long is cut, but no matrix for a vector on its right. */
 FIntrinsicCall FindIntrinsicProduct(FTypes& Types, std::string_view Name, const FType* A, const FType* B)
 {

@@ -6,7 +6,7 @@
 namespace Drydock::Hlsl
 {
 
-/** What a call of an intrinsic or a method comes to. */
+/** The meaning of a call of an intrinsic or a method. */
 struct FIntrinsicCall
 {
 	std::string_view Name; // of static storage; the emitter's key: a method's is "Sample", a function's "lerp"

@@ -38,7 +38,7 @@ FLayout GetNumericLayout(uint32_t Bytes, const FType* Type, ELayout Layout)
 	return {Stride * (Count - 1) + Size, bWhole ? LayoutRegister : Bytes, Type->IsMatrix() ? Stride : 0};
 }
 
-/** Where a value begins that stands behind Cursor. */
+/** The offset of a value that stands behind Cursor. */
 uint32_t PlaceLayout(uint32_t Cursor, const FLayout& Value, ELayout Layout)
 {
 	const uint32_t Offset = AlignLayout(Cursor, Value.Alignment);

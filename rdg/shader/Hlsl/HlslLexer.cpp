@@ -53,7 +53,7 @@ public:
 private:
 	char Peek(size_t Offset = 0) const { return At + Offset < Text.size() ? Text[At + Offset] : '\0'; }
 
-	/** What stands there up to where words end. */
+	/** The text there, up to the end of words. */
 	std::string_view PeekWord(size_t From) const
 	{
 		size_t End = From;

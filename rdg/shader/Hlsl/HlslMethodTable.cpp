@@ -5,7 +5,7 @@
 namespace Drydock::Hlsl
 {
 
-/** Of its own, as it opens the enumeration. */
+/** A function of its own, because it opens the enumeration. */
 namespace MethodTable
 {
 

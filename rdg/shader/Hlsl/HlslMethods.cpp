@@ -44,7 +44,7 @@ const FType* MakeMethodVector(FTypes& Types, EScalar Scalar, uint32_t Count)
 	return Count > 1 ? Types.Vector(Scalar, Count) : Types.Scalar(Scalar);
 }
 
-/** What a read of the resource gives. */
+/** The type that a read of the resource gives. */
 const FType* GetMethodElement(FTypes& Types, const FType* Object)
 {
 	const FType* const Element = Object->Element ? Object->Element : Types.Vector(EScalar::Float, 4);
@@ -81,7 +81,7 @@ std::string_view FindMethodName(const FMethodRow& Row, std::string_view Name)
 	return Found;
 }
 
-/** What an object of another kind has this method, for the message that this one lacks it. */
+/** An object of another kind that has this method, for the message that this one lacks it. */
 std::string ListMethodOwners(std::string_view Name)
 {
 	static constexpr const char* Owners[] = {"Texture1D", "Texture1DArray", "Texture2D", "Texture2DArray",

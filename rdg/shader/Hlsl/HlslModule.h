@@ -79,7 +79,7 @@ class FModule
 public:
 	uint32_t NewId() { return Bound++; }
 
-	/** A type or constant: the id of the one with these operands. Of constants the type stands first. */
+	/** A type or constant: the id of the one with these operands. The type of a constant stands first. */
 	uint32_t Intern(uint16_t Op, const FWords& Operands);
 	/** A type of its own, which is decorated. */
 	uint32_t MakeType(uint16_t Op, const FWords& Operands);

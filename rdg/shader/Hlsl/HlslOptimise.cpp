@@ -1,5 +1,5 @@
-// Inlines calls and makes values of variables, by SPIRV-Tools. Arithmetic that SPIRV-Tools would compute by rules of its
-// own is hidden from it.
+// Inlines calls and makes values of variables, by SPIRV-Tools. Arithmetic that SPIRV-Tools would compute by rules of
+// its own is hidden from it.
 #include "HlslEmitter.h"
 
 #include "HlslModule.h"
@@ -170,10 +170,10 @@ std::vector<uint32_t> Optimise(const std::vector<uint32_t>& Words, std::string& 
 	const FOptimiseSize Size = MeasureInlined(Words);
 	if (Size.IsTooLarge())
 	{
-		Error = "the shader is too large: with its functions in the place of their calls it has " +
-				std::to_string(Size.NumInstructions) + " instructions in " + std::to_string(Size.NumBlocks) +
-				" branches, and may have " + std::to_string(OptimiseMaxInstructions) + " in " +
-				std::to_string(OptimiseMaxBlocks) + "; write a loop in place of repeated code, or call less";
+		Error = "the shader is too large: once its calls are inlined it has " + std::to_string(Size.NumInstructions) +
+				" instructions in " + std::to_string(Size.NumBlocks) + " branches. It may have " +
+				std::to_string(OptimiseMaxInstructions) + " in " + std::to_string(OptimiseMaxBlocks) +
+				"; write a loop in place of repeated code, or call less";
 		return {};
 	}
 	const bool bWaves = Words.at(1) >= OptimiseWaveVersion;

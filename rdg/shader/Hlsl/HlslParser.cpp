@@ -274,7 +274,7 @@ FScope* FParser::MakeScope()
 	return &OwnScopes.emplace_back();
 }
 
-/** Where a name is declared. */
+/** The scope in which a name is declared. */
 FScope& FParser::GetScope()
 {
 	size_t Index = Scopes.size() - 1;
@@ -338,7 +338,7 @@ FNamed FParser::FindDeclared(std::string_view Name) const
 	return {};
 }
 
-/** What the word there names. */
+/** The thing that the word there names. */
 FNamed FParser::Find(size_t Where) const
 {
 	const EWord Kind = WordAt(Where).Kind;
@@ -392,7 +392,7 @@ bool FParser::TakesArguments(const FNamed& Named, size_t Where, bool bGuess) con
 		   (bGuess && Named.Kind == EName::Unknown && IsTypeAt(Where + 1, false) && FindAngleEnd(Where) != 0);
 }
 
-/** What the name that begins there stands for, without reading it; Unknown where none begins. End: behind it. */
+/** The thing that the name beginning there stands for, without reading it; Unknown if none begins. End: behind it. */
 FNamed FParser::LookAtName(size_t Where, size_t& End, bool bGuess) const
 {
 	FNamed Named;

@@ -206,7 +206,7 @@ FDeclaration* FParser::ParseParameter()
 	return Parameter;
 }
 
-/** What stands behind the name of a variable, a member or a parameter. */
+/** Reads the text behind the name of a variable, a member or a parameter. */
 void FParser::ParseVariable(FDeclaration& Variable, EWhere Where)
 {
 	ParseDimensions(Variable.Dimensions);
@@ -259,7 +259,7 @@ bool FParser::IsStateBlock(const FDeclaration& Variable) const
 	return Name.Parts.size() == 1 && FindWord(Name.Last()).Kind == EWord::Object;
 }
 
-/** `{ Filter = ...; }` says what the engine sets. */
+/** `{ Filter = ...; }`: the engine sets these. */
 void FParser::SkipState()
 {
 	if (!Is("{"))

@@ -351,7 +351,7 @@ FExpression* FParser::ParseNameOrConstruct()
 	const bool bType = ParseName(Name).IsType();
 	if (bType && !Is("("))
 	{
-		Unexpected("'(' behind the type '" + std::string(Name.Last()) + "', which is no value");
+		Unexpected("'(' behind the type '" + std::string(Name.Last()) + "', which is not a value");
 	}
 	FExpression* Value = Make(bType ? EExpression::Construct : EExpression::Name, Place);
 	Raise(*Value, Name.Height);

@@ -10,7 +10,7 @@
 namespace Drydock::Hlsl
 {
 
-/** What a word is to the language. */
+/** The kind of a word. */
 enum class EWord : uint8_t
 {
 	Name,         // of the text's own
@@ -42,7 +42,7 @@ enum class EName : uint8_t
 
 struct FScope;
 
-/** What a name stands for, and the names in that. */
+/** The thing that a name stands for, and the names in it. */
 struct FNamed
 {
 	EName Kind = EName::Unknown;
@@ -70,7 +70,7 @@ struct FParserStop
 {
 };
 
-/** Where a declaration stands. */
+/** The place of a declaration. */
 enum class EWhere : uint8_t
 {
 	File, // also a namespace, a cbuffer
@@ -78,7 +78,7 @@ enum class EWhere : uint8_t
 	Local,
 };
 
-/** What is declared. */
+/** The kind of a declaration. */
 enum class EDeclared : uint8_t
 {
 	Global,

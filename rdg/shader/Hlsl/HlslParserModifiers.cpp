@@ -1,4 +1,4 @@
-// What the words before a declaration may be: which ones do not fit each other, or not where they stand.
+// Refuses words before a declaration that do not fit each other, or do not fit their place.
 #include "HlslParserImpl.h"
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace Drydock::Hlsl
 {
 
-/** Of its own, as it opens the enumeration. */
+/** A function of its own, because it opens the enumeration. */
 namespace ParserModifiers
 {
 
@@ -59,7 +59,7 @@ constexpr FModifierPair ModifierPairs[] = {
 	{ModifierNoInterpolation, InterpolationModifiers,
 		"X3048: nointerpolation cannot stand with linear, centroid, noperspective or sample"},
 	{ModifierStatic, ModifierUniform,
-		"X3007: static and uniform cannot stand together: a static variable is no parameter"},
+		"X3007: static and uniform cannot stand together: a static variable is not a parameter"},
 	{ModifierStatic, ModifierExtern, "X3007: static and extern cannot stand together"},
 	{ModifierExtern, ModifierGroupshared, "X3010: extern and groupshared cannot stand together"},
 };

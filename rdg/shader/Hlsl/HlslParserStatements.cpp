@@ -39,7 +39,7 @@ FStatement* FParser::ParseBlock(bool bSwitch)
 	return Block;
 }
 
-/** What an if or a loop runs: what it declares ends with it. */
+/** The statement that an if or a loop runs: its declarations end with it. */
 FStatement* FParser::ParseSubstatement()
 {
 	const FInside Inside(*this);

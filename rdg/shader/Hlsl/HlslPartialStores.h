@@ -1,4 +1,4 @@
-// Where a program writes some components of a texel only, which D3D11 cannot.
+// Finds stores to some components of a texel only, which D3D11 does not have.
 #pragma once
 
 #include "HlslProgram.h"

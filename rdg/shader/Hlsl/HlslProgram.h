@@ -18,7 +18,7 @@ enum class EStorage : uint8_t
 	Groupshared,
 	Loose, // a parameter of the shader at file scope, in $Global; read only, but FXC's older mode copies what is
 		   // written
-	Member,   // of a cbuffer, a tbuffer: Buffer says which
+	Member,   // of a cbuffer, a tbuffer: Buffer is that one
 	Resource, // a texture, sampler, buffer at file scope
 	This,     // of a method: its object, a reference
 };

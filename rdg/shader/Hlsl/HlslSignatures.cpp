@@ -1,4 +1,4 @@
-// Matches a call's arguments with signatures of the language of HlslIntrinsicTable.h, and says what was expected.
+// Matches a call's arguments with signatures of the language of HlslIntrinsicTable.h, and names the expected ones.
 #include "HlslIntrinsicTable.h"
 
 #include "HlslConversions.h"
@@ -19,7 +19,7 @@ bool IsSignatureClass(char Letter)
 	return SignatureClasses.find(Letter) != std::string_view::npos;
 }
 
-/** What a class stands for in a message. */
+/** The words for a class in a message. */
 const char* GetSignatureClassWords(char Class)
 {
 	switch (Class)

@@ -1,4 +1,4 @@
-// What names stand for: scopes and symbols, overloads, instances of templates.
+// The things that names stand for: scopes and symbols, overloads, instances of templates.
 #pragma once
 
 #include "HlslProgram.h"
@@ -15,7 +15,7 @@ struct FNameScope;
 struct FSymbol;
 struct FStructInfo;
 
-/** What a name stands for. */
+/** The kind of thing that a name stands for. */
 enum class ESymbol : uint8_t
 {
 	Variable,  // of a file, a namespace, a block; static members
@@ -29,7 +29,7 @@ enum class ESymbol : uint8_t
 	Namespace,  // Inner
 };
 
-/** What stands for a parameter of a template. */
+/** The argument for a parameter of a template. */
 struct FTemplateValue
 {
 	const FType* Type = nullptr; // of the value where there is one
@@ -141,7 +141,7 @@ struct FStructInfo
 /** "<float, 2>". */
 std::string NameTemplateArguments(const std::vector<FTemplateValue>& Values);
 
-/** What is known of a template's arguments. */
+/** The known arguments of a template. */
 struct FDeduction
 {
 	const FDeclaration* Template = nullptr;

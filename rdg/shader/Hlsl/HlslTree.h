@@ -13,7 +13,7 @@
 namespace Drydock::Hlsl
 {
 
-/** Where a token stands. File indexes FTree::Files; Column is 1-based, in the preprocessed line. */
+/** The place of a token. File indexes FTree::Files; Column is 1-based, in the preprocessed line. */
 struct FPlace
 {
 	uint32_t File = 0;
@@ -48,7 +48,7 @@ struct FEnum;
 struct FDeclaration;
 struct FTypeName;
 
-/** What stands between < and >: a type or an expression. A name alone is given as an expression, and as a type where
+/** An argument between < and >: a type or an expression. A name alone is given as an expression, and as a type where
  * the parser knows it as one. */
 struct FTemplateArgument
 {
@@ -216,7 +216,7 @@ enum class EDeclaration : uint8_t
 	Namespace, // Members
 	Buffer,    // cbuffer and tbuffer: Members
 	Assert,    // static_assert: Value, Text
-	Pack,      // not made: FTypeName::Modifiers says what #pragma pack_matrix says
+	Pack,      // not made: FTypeName::Modifiers has what #pragma pack_matrix says
 	Using,     // Name: of `using A::B;`, and of `using namespace A;` with Text "namespace"
 };
 

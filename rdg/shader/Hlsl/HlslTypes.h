@@ -26,7 +26,7 @@ enum class EScalar : uint8_t
 	Ulong,      // uint64_t
 	LiteralInt, // 1; becomes int where nothing else decides
 	MinFloat,   // min16float, min10float: 32 bits here
-	Half,       // half, float16_t: 16 bits where the request says so, else 32
+	Half,       // half, float16_t: 16 bits where the request asks for it, else 32
 	Float,
 	Double,
 	LiteralFloat, // 1.0; becomes float where nothing else decides
@@ -114,7 +114,7 @@ struct FLayout
 	uint32_t Stride = 0;    // of an array's elements; of a matrix: from row to row, or column to column
 };
 
-/** What is found out of a struct's members, once: structs in structs would take exponential time. */
+/** Facts of a struct's members, found once: structs in structs would take exponential time. */
 struct FStructFacts
 {
 	size_t NumCounted = SIZE_MAX; // members when it was found out
@@ -226,8 +226,8 @@ public:
 	const FType* WithOrder(const FType* Type, EOrder Order); // of a matrix, and of an array's elements
 	const FType* WithNorm(const FType* Type, bool bUnorm, bool bSnorm);
 
-	/** Of "float3x2", "uint", "min16float4", "float32_t3", "vector", "matrix" and names of objects; null: it is none.
-	 * Arguments: of `vector<float, 3>` and `Texture2D<float4>`, types and numbers in order. */
+	/** The type of "float3x2", "uint", "min16float4", "float32_t3", "vector", "matrix" and names of objects; null: it
+	 * is none. Arguments: of `vector<float, 3>` and `Texture2D<float4>`, types and numbers in order. */
 	const FType* FindNumeric(std::string_view Name, EOrder Order);
 	static std::optional<EObject> FindObject(std::string_view Name);
 
@@ -265,7 +265,7 @@ DRYDOCK_API EScalar GetScalarAt(const FType* Type, uint32_t Index);
 
 DRYDOCK_API FLayout GetLayout(const FTypes& Types, const FType* Type, ELayout Layout);
 
-/** Where a struct's members begin. */
+/** The offsets of a struct's members. */
 DRYDOCK_API std::vector<uint32_t> GetOffsets(const FTypes& Types, const FStructType& Struct, ELayout Layout);
 
 } // namespace Drydock::Hlsl

@@ -265,7 +265,7 @@ private:
 		}
 	}
 
-	/** What is written, or a part of it: indices in it are read. */
+	/** Sets a variable, or a part of it: indices in it are read. */
 	void Write(const FValue* Value)
 	{
 		switch (Value->Kind)

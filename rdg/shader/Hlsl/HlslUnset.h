@@ -9,7 +9,7 @@
 namespace Drydock::Hlsl
 {
 
-/** Each variable once, with the first place. What sets a part counts as setting all; a loop counts as run at least
+/** Each variable once, with the first place. A part that is set counts as all; a loop counts as run at least
  * once. */
 std::vector<std::pair<const FVariable*, FPlace>> FindUnset(const FFunction& Function);
 

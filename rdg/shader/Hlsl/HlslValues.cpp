@@ -95,7 +95,7 @@ FValue* FAnalyser::MakeSequence(std::vector<FValue*> Before, FValue* Value, cons
 	return MakeCommas(std::move(Before));
 }
 
-/** What is literal, as int or float: nothing else decides. */
+/** Makes literals int or float: nothing else decides. */
 FValue* FAnalyser::Settle(FValue* Value)
 {
 	if (!Value->Type->IsNumeric() || !IsLiteral(Value->Type->Scalar))
@@ -346,7 +346,7 @@ void FAnalyser::MarkWritten(FValue* Value)
 	Statics.push_back({Order, Variable});
 }
 
-/** What a precise variable is made of is precise. */
+/** Marks all values of a precise variable as precise. */
 void FAnalyser::MarkPrecise(FValue* Value)
 {
 	std::vector<FValue*> Open = {Value};

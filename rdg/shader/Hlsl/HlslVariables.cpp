@@ -290,7 +290,7 @@ void FAnalyser::ReadOffset(FVariable& Variable, const FDeclaration& Declaration)
 			else
 			{
 				Error(Annotation.Place, "X3530: '" + std::string(Annotation.Arguments[0]) +
-											"' is no place in a buffer; write packoffset(c0.x)");
+											"' is not a place in a buffer; write packoffset(c0.x)");
 			}
 		}
 	}

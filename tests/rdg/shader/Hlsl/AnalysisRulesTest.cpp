@@ -56,7 +56,7 @@ const std::vector<FRule> Rules = {
 	{EStage::Compute, "volatile float A;", "Out[0] = 1;",
 		"8:16: X3008: a global variable cannot be declared with volatile; leave it out"},
 	{EStage::Compute, "static uniform float A;", "Out[0] = 1;",
-		"8:22: X3007: static and uniform cannot stand together: a static variable is no parameter"},
+		"8:22: X3007: static and uniform cannot stand together: a static variable is not a parameter"},
 	{EStage::Compute, "typedef groupshared float FA;", "Out[0] = 1;",
 		"8:27: X3010: a typedef cannot be declared with groupshared; leave it out"},
 	{EStage::Compute, "out float F() { return 1; }", "Out[0] = F();",
