@@ -30,7 +30,8 @@ FError ExplainFailure(
 	const FHlslCompiler& Compiler, const FChildResult& Child, const FShaderCompileRequest& Request, int Seconds)
 {
 	const std::string OnWhat = " on '" + Request.EntryPoint + "'";
-	if (const std::string Fault = FindToolFault(Child); !Fault.empty())
+	const bool bCrashed = Child.bStarted && !Child.bTimedOut && Child.Signal && !IsSignalFromOutside(Child.Signal);
+	if (const std::string Fault = bCrashed ? std::string() : FindToolFault(Child); !Fault.empty())
 	{
 		return FError(
 			{ESeverity::Error, 6032, Compiler.GetName() + " " + Fault + OnWhat, Request.VirtualPath, 0, 0, {}},

@@ -90,7 +90,7 @@ void FLinter::LookAtText(const std::string& Source)
 	{
 		Add("not-in-engine", Each.File, Each.Line, Each.What);
 	}
-	if (IsSpirvFile(Request.VirtualPath))
+	if (Source.empty() || IsSpirvFile(Request.VirtualPath))
 	{
 		return;
 	}

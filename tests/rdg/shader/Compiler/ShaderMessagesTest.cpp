@@ -198,14 +198,14 @@ TEST(ShaderMessages, WhatStaysOutIsOneMessageWithAWayRound)
 			"march through the depth texture, or read what the G-buffer has [DD6020]\n  1 | "},
 		{"struct V { float4 P : SV_POSITION; };\n[maxvertexcount(3)]\n"
 		 "void Main(triangle V In[3], inout TriangleStream<V> Out)\n{\n	Out.Append(In[0]);\n}\n",
-			EShaderStage::Pixel, "a geometry shader ('TriangleStream') does not run on the CPU tier; drydock draws"},
+			EShaderStage::Pixel, "a geometry shader ('maxvertexcount') does not run on the CPU tier; drydock draws"},
 		{"struct V { float4 P : SV_POSITION; };\n"
 		 "float4 Main(InputPatch<V, 3> Patch) : SV_Target0\n{\n	return Patch[0].P;\n}\n",
 			EShaderStage::Pixel,
 			"/Test/Shader.usf:2:13: error: tessellation ('InputPatch') does not run on the CPU tier"},
 		{"RWTexture2D<float4> Out;\n[outputtopology(\"triangle\")] [numthreads(1, 1, 1)] void Main()\n{\n"
 		 "	SetMeshOutputCounts(3, 1);\n}\n",
-			EShaderStage::Compute, "a mesh shader ('SetMeshOutputCounts') does not run on the CPU tier"},
+			EShaderStage::Compute, "a mesh shader ('outputtopology') does not run on the CPU tier"},
 		{"Texture2DMS<float4> Source;\nfloat4 Main(float4 P : SV_POSITION) : SV_Target0\n{\n"
 		 "	return Source.Load(int2(P.xy), 1);\n}\n",
 			EShaderStage::Pixel, "multisampled"},
