@@ -3,6 +3,13 @@
 // for the longest text, medians of rounds in which each is compiled once.
 //
 //     bench_front_end [ROUNDS]
+#ifdef DRYDOCK_BENCH_GLSLANG // before the engine's macros
+#define ENABLE_OPT 1         // else SpvTools.h declares nothing
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#endif
+
 #include "HlslFrontEnd.h"
 #include "ShaderCompilation.h"
 #include "ShaderSource.h"
@@ -14,13 +21,6 @@
 #include <ctime>
 #include <functional>
 #include <map>
-
-#ifdef DRYDOCK_BENCH_GLSLANG
-#define ENABLE_OPT 1 // else SpvTools.h declares nothing
-#include <glslang/Public/ResourceLimits.h>
-#include <glslang/Public/ShaderLang.h>
-#include <glslang/SPIRV/GlslangToSpv.h>
-#endif
 
 namespace Drydock::Bench
 {

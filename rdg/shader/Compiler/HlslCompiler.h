@@ -32,11 +32,12 @@ struct FHlslCompiler
  * is not there, or its base name begins with neither dxc nor slangc. */
 DRYDOCK_API std::optional<FHlslCompiler> FindHlslCompiler(const FShaderCompileRequest& Request);
 
-/** Path, size and time of the program that DRYDOCK_HLSL_COMPILER names, hashed: its results are kept apart from those of
- * others. Empty where it is not set, and for SPIR-V, which needs none. Throws as FindHlslCompiler. */
+/** Path, size and time of the program that DRYDOCK_HLSL_COMPILER names, hashed: its results are kept apart from those
+ * of others. Empty where it is not set, and for SPIR-V, which needs none. Throws as FindHlslCompiler. */
 std::string GetHlslCompilerId(const FShaderCompileRequest& Request);
 
-/** The text with X_Y in place of X.Y for the members of uniform buffers, as the engine writes them for its compilers. */
+/** The text with X_Y in place of X.Y for the members of uniform buffers, as the engine writes them for its compilers.
+ */
 DRYDOCK_API std::string WriteForCompiler(const std::string& Text, const FShaderCompileRequest& Request);
 
 /** The program and its arguments: from the file Input, SPIR-V in the file Output. */

@@ -45,8 +45,8 @@ TEST(HlslParserErrors, NamesTheTokenAndWhatWasExpected)
 	EXPECT_EQ(ParseBodyErrors("x[1;"), "3:4 " + X + "';'; expected ']' behind the index");
 	EXPECT_EQ(ParseBodyErrors("x.1;").substr(0, 10), "3:2 X3000:");
 	EXPECT_EQ(ParseBodyErrors("x.(1);"), "3:3 " + X + "'('; expected a member's name or a swizzle behind '.'");
-	EXPECT_EQ(
-		ParseBodyErrors("x = float4;"), "3:11 " + X + "';'; expected '(' behind the type 'float4', which is not a value");
+	EXPECT_EQ(ParseBodyErrors("x = float4;"),
+		"3:11 " + X + "';'; expected '(' behind the type 'float4', which is not a value");
 	EXPECT_EQ(ParseBodyErrors("x = {1, 2};"),
 		"3:5 " + X + "'{'; expected an expression; a list in braces stands only behind the '=' of a declaration");
 	EXPECT_EQ(ParseBodyErrors("goto x;"), "3:1 " + X + "'goto'; expected a statement");
