@@ -1,8 +1,9 @@
 // The pass functions that an engine overlay can replace, one in a row. Headers: below the engine's Renderer/Private.
-// Shaders: the main file in /Engine/Private; empty: the pass has none there. Effect: the one of the ledger that adds the
-// pass. DRYDOCK_PASS_INPUTS(result, function, header, shader, effect, inputs, members): the function takes graph builder,
-// view and a struct. The members are DRYDOCK_MEMBER(Name)...; they are handed over one by one, because an overlay's
-// struct of that name may have others. DRYDOCK_PASS(result, scope, function, header, shader, effect, parameters, arguments): any other function.
+// Shaders: the main file in /Engine/Private; empty: the pass has none there. Effect: the one of the ledger that adds
+// the pass. DRYDOCK_PASS_INPUTS(result, function, header, shader, effect, inputs, members): the function takes graph
+// builder, view and a struct. The members are DRYDOCK_MEMBER(Name)...; they are handed over one by one, because an
+// overlay's struct of that name may have others. DRYDOCK_PASS(result, scope, function, header, shader, effect,
+// parameters, arguments): any other function.
 // clang-format off
 DRYDOCK_PASS_INPUTS(FScreenPassTexture, AddBloomSetupPass, "PostProcess/PostProcessBloomSetup.h", "PostProcessBloom.usf", "Bloom", FBloomSetupInputs,
 	DRYDOCK_MEMBER(SceneColor) DRYDOCK_MEMBER(EyeAdaptationBuffer) DRYDOCK_MEMBER(Threshold) DRYDOCK_MEMBER(EyeAdaptationParameters) DRYDOCK_MEMBER(LocalExposureParameters) DRYDOCK_MEMBER(LocalExposureTexture) DRYDOCK_MEMBER(BlurredLogLuminanceTexture))

@@ -290,6 +290,14 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 				Unread.push_back(Name + (bNear ? " (did you mean " + Near + "?)" : " (no shader reads it)"));
 				continue;
 			}
+			const auto Default = std::find_if(Folder.Defaults.begin(), Folder.Defaults.end(),
+				[&](const FOverlayDefault& Each) { return Each.GetPlace() == Name; });
+			const FSettingField* const Field =
+				Default != Folder.Defaults.end() ? FindSettingField(Default->Name) : nullptr;
+			if (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default)
+			{
+				continue; // the overlay's file says what drydock's says
+			}
 			Names.push_back(Last[Name] == &Folder ? Name : Name + " (" + Last[Name]->Name + " stands over it)");
 		}
 		const auto Note = [&](EOverlayError Code, const std::string& Message)

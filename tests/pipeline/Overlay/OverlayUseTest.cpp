@@ -121,14 +121,15 @@ TEST_F(OverlayUse, AFailedCheckIsTheOverlays)
 TEST_F(OverlayUse, DefaultsOfKnownSettingsAct)
 {
 	Folder.Write("Only/" + SceneSource,
-		"FPostProcessSettings::FPostProcessSettings()\n{\n\tVignetteIntensity = 0.9f;\n\tBloomThreshold = -1.0f;\n}\n");
+		"FPostProcessSettings::FPostProcessSettings()\n{\n\tVignetteIntensity = 0.9f;\n\tBloomThreshold = -1.0f;\n"
+		"\tColorSaturation = FVector4(1.0f, 1.0f, 1.0f, 1.0f);\n\tBloomMethod = BM_SOG;\n}\n");
 	const std::string Given = GetPicture("--pp VignetteIntensity=0.9");
 	EXPECT_EQ(Given, GetPicture("--overlay Only"));
 	EXPECT_NE(Given, GetPicture("--overlay Only --pp VignetteIntensity=0.4"));
 	EXPECT_NE(Given, GetPicture(""));
 	EXPECT_THAT(
 		Run("--overlay Only"), AllOf(HasSubstr("the overlay Only stands in for the default of VignetteIntensity\n"),
-								   Not(HasSubstr("Threshold"))));
+								   Not(HasSubstr("BloomThreshold"))));
 	EXPECT_THAT(Folder.Call("blend frame.json --overlay Only --setting VignetteIntensity").Printed, HasSubstr("0.9"));
 }
 
