@@ -296,7 +296,7 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 				Default != Folder.Defaults.end() ? FindSettingField(Default->Name) : nullptr;
 			if (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default)
 			{
-				continue; // the overlay's file says what drydock's says
+				continue; // it is drydock's value
 			}
 			Names.push_back(Last[Name] == &Folder ? Name : Name + " (" + Last[Name]->Name + " stands over it)");
 		}
