@@ -267,10 +267,12 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 	{
 		const std::vector<std::string> Filled = ListPassReplacements(Folder.Library);
 		std::vector<std::string> Unread = Folder.Unused;
+		std::set<std::string> Missing;
 		for (const FOverlayPass& Pass : Folder.Passes)
 		{
 			if (std::find(Filled.begin(), Filled.end(), Pass.Function->Name) == Filled.end())
 			{
+				Missing.insert(Pass.Function->Name);
 				Diagnostics.push_back({.Code = ErrorOverlayPlace,
 					.Message = std::string(Pass.Function->Name) +
 							   " does not stand in for drydock's: expected the function " +
@@ -294,9 +296,9 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 				[&](const FOverlayDefault& Each) { return Each.GetPlace() == Name; });
 			const FSettingField* const Field =
 				Default != Folder.Defaults.end() ? FindSettingField(Default->Name) : nullptr;
-			if (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default)
+			if (Missing.contains(Name) || (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default))
 			{
-				continue; // it is drydock's value
+				continue; // it does not act, or it is drydock's value
 			}
 			Names.push_back(Last[Name] == &Folder ? Name : Name + " (" + Last[Name]->Name + " stands over it)");
 		}

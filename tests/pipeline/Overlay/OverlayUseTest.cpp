@@ -93,6 +93,8 @@ TEST_F(OverlayUse, AFunctionThatFillsNoPlaceIsAnErrorWithTheSignature)
 		"FRDGTextureRef AddCombineLUTPass(FRDGBuilder& GraphBuilder, const FViewInfo& View) { return nullptr; "
 		"}\n#endif\n");
 	const std::string Printed = Run("--overlay MyPatch --pp BloomThreshold=0.5", 2);
+	EXPECT_THAT(Printed, HasSubstr("stands in for /Engine/Private/PostProcessBloom.usf, PostProcessing.cpp: if"));
+	EXPECT_THAT(Printed, Not(HasSubstr("DD2084")));
 	EXPECT_THAT(Printed,
 		AllOf(HasSubstr("PostProcessCombineLUTs.cpp:3: error DD1131: AddCombineLUTPass does not stand in"),
 			HasSubstr(
