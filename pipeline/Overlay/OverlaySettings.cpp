@@ -235,8 +235,9 @@ void NotePropertiesWithoutBit(
 	const std::vector<std::string> Overridden = FindOverriddenNames(Blanked);
 	for (const size_t At : FindWord(Blanked, "UPROPERTY"))
 	{
-		const std::optional<size_t> Close = At > Open && At < End ? FindClosing(Blanked, At) : std::nullopt;
-		const std::string Member = Close ? Blanked.substr(*Close, Blanked.find_first_of("=;:[", *Close) - *Close) : "";
+		const bool bInside = At > Open && At < End;
+		const size_t Close = bInside ? FindClosing(Blanked, At).value_or(Blanked.size()) : Blanked.size();
+		const std::string Member = Blanked.substr(Close, Blanked.find_first_of("=;:[", Close) - Close);
 		const std::string Declaration = Trim(Member);
 		const std::string Plain = Declaration.substr(Declaration.find_last_of(" \t\n") + 1);
 		if (!Plain.empty() && !Plain.starts_with(OverrideBit) && !Plain.ends_with("_DEPRECATED") &&
@@ -247,7 +248,7 @@ void NotePropertiesWithoutBit(
 				.Code = ErrorOverlaySetting,
 				.Message = Plain + " becomes no setting: it has no bit " + OverrideBit + Plain,
 				.File = File,
-				.Line = GetLineOf(Blanked, *Close)});
+				.Line = GetLineOf(Blanked, Close)});
 		}
 	}
 }
