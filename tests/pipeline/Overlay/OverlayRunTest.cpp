@@ -182,7 +182,7 @@ TEST(OverlayRun, ADifferenceIsWhatAPersonCarriesOver)
 	const std::string File = "MyPatch/" + Renderer + "PostProcessBloomSetup.cpp";
 	const std::string Text = Folder.Read(File);
 
-	// The ends of lines and the mark of an editor are no change.
+	// The ends of lines and the mark of an editor do not count as changes.
 	std::string Windows = "\xef\xbb\xbf" + Text;
 	for (size_t At = Windows.find('\n'); At != std::string::npos; At = Windows.find('\n', At + 2))
 	{

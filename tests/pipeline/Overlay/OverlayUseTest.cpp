@@ -1,5 +1,5 @@
-// What a run says about overlays is what they did: places that were not called, functions that fill no place, files
-// that nothing reads; the engine's own forms of condition and default act.
+// A run reports what its overlays did: places that were not called, functions that fill no place, files that nothing
+// reads; the engine's own forms of condition and default act.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
