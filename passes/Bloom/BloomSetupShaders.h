@@ -7,6 +7,9 @@
 #include "Screen/ScreenShaderPass.h"
 #include "ShaderParameterStruct.h"
 
+namespace Drydock
+{
+
 BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
 	SHADER_PARAMETER_STRUCT(FScreenPassTextureViewportParameters, Input)
@@ -22,9 +25,6 @@ BEGIN_SHADER_PARAMETER_STRUCT(FBloomSetupParameters, )
 	SHADER_PARAMETER(float, BloomThreshold)
 	SHADER_PARAMETER(FScreenTransform, SvPositionToInputTextureUV)
 END_SHADER_PARAMETER_STRUCT()
-
-namespace Drydock
-{
 
 class FThresholdDimension : SHADER_PERMUTATION_BOOL("USE_THRESHOLD");
 class FLocalExposureDimension : SHADER_PERMUTATION_BOOL("USE_LOCAL_EXPOSURE");

@@ -53,7 +53,7 @@ const FPassFactoryRegistration GBloomSetup({
 
 } // namespace Drydock
 
-FBloomSetupParameters GetBloomSetupParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
+Drydock::FBloomSetupParameters Drydock::GetBloomSetupParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTextureViewport& InputViewport, const FBloomSetupInputs& Inputs)
 {
 	FRHISamplerState* const BilinearClamp = TStaticSamplerState<SF_Bilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();

@@ -14,8 +14,6 @@
 #include "Exposure/PostProcessLocalExposure.h"
 #include "ScreenPass.h"
 
-struct FBloomSetupParameters;
-
 struct FBloomSetupInputs
 {
 	/** [Required] */
@@ -28,17 +26,25 @@ struct FBloomSetupInputs
 	 * engines whose ramp acts at -1. */
 	float Threshold = 0.0f;
 
-	/** [Optional] Local exposure: all four, or none. */
+	/** [Optional] The chain gives both, whether local exposure acts or not. */
 	const FEyeAdaptationParameters* EyeAdaptationParameters = nullptr;
 	const FLocalExposureParameters* LocalExposureParameters = nullptr;
-	/** The bilateral grid. */
+	/** [Optional] The bilateral grid, and with it the luminance: local exposure acts. */
 	FRDGTextureRef LocalExposureTexture = nullptr;
 	FRDGTextureRef BlurredLogLuminanceTexture = nullptr;
 };
 
+namespace Drydock
+{
+
+// The engine's are in its .cpp, and an overlay's file defines them there.
+struct FBloomSetupParameters;
+
 /** The parameters that the pixel shader and the compute shader share. */
 DRYDOCK_API FBloomSetupParameters GetBloomSetupParameters(FRDGBuilder& GraphBuilder, const FViewInfo& View,
 	const FScreenPassTextureViewport& InputViewport, const FBloomSetupInputs& Inputs);
+
+} // namespace Drydock
 
 DRYDOCK_API FScreenPassTexture AddBloomSetupPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FBloomSetupInputs& Inputs);

@@ -28,7 +28,8 @@ struct FBloomSetupPlace
 	FRDGBuilder& GraphBuilder;
 	const FViewInfo& View;
 	const FPostProcessingInputs& Inputs;
-	/** A threshold above -1, or local exposure that acts on bloom. */
+	const float BloomThreshold;
+	/** A threshold above -1, or local exposure that acts on bloom. The overlay's file may define it anew. */
 	const bool bBloomSetupRequiredEnabled;
 	/** The picture at half resolution; the block puts its result there. */
 	FScreenPassTexture& DownsampleInput;

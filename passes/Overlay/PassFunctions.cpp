@@ -5,6 +5,7 @@
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Blur/PostProcessWeightedSampleSum.h"
+#include "CodeScope.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
 #include "Exposure/PostProcessHistogram.h"
 #include "Exposure/PostProcessLocalExposure.h"
@@ -20,6 +21,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Drydock
 {
@@ -27,33 +29,31 @@ namespace Drydock
 namespace
 {
 
-struct FRegisteredReplacement
-{
-	std::string Name;
-	std::string Library;
-	FAnyFunction Function = nullptr;
-};
-
-using FActiveReplacements = std::vector<std::pair<std::string, FAnyFunction>>;
-
 /** Never destroyed: libraries may be unloaded later. */
-std::vector<FRegisteredReplacement>& GetRegistered()
+std::vector<FActiveReplacement>& GetRegistered()
 {
-	static auto* const Registered = new std::vector<FRegisteredReplacement>;
+	static auto* const Registered = new std::vector<FActiveReplacement>;
 	return *Registered;
 }
 
-FActiveReplacements& GetActive()
+std::vector<FActiveReplacement>& GetActive()
 {
-	static FActiveReplacements Active;
+	static std::vector<FActiveReplacement> Active;
 	return Active;
 }
 
-std::string FindLibrary(FAnyFunction Function)
+std::string FindLibrary(const void* Address)
 {
 	Dl_info Info = {};
-	const bool bFound = dladdr(reinterpret_cast<void*>(Function), &Info) != 0;
-	return bFound && Info.dli_fname != nullptr ? Info.dli_fname : "";
+	return dladdr(Address, &Info) != 0 && Info.dli_fname != nullptr ? Info.dli_fname : "";
+}
+
+FActiveReplacement* FindActive(const char* Name)
+{
+	std::vector<FActiveReplacement>& Active = GetActive();
+	const auto Found = std::find_if(
+		Active.begin(), Active.end(), [Name](const FActiveReplacement& Each) { return Each.Name == Name; });
+	return Found != Active.end() ? &*Found : nullptr;
 }
 
 } // namespace
@@ -61,10 +61,10 @@ std::string FindLibrary(FAnyFunction Function)
 const std::vector<FPassFunction>& GetPassFunctions()
 {
 #define DRYDOCK_MEMBER(Name) #Name,
-#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Inputs, Members) \
-	{#Function, Header, Shader, #Result, "", #Inputs, {Members}},
-#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Parameters, Arguments) \
-	{#Scope #Function, Header, Shader, #Result, #Parameters, "", {}},
+#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Effect, Inputs, Members) \
+	{#Function, Header, Shader, Effect, #Result, "", #Inputs, {Members}},
+#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Effect, Parameters, Arguments) \
+	{#Scope #Function, Header, Shader, Effect, #Result, #Parameters, "", {}},
 	static const std::vector<FPassFunction> Functions = {
 #include "PassFunctions.inl"
 	};
@@ -74,29 +74,42 @@ const std::vector<FPassFunction>& GetPassFunctions()
 	return Functions;
 }
 
-FPassReplacement::FPassReplacement(const char* Name, FAnyFunction InFunction)
+std::string FPassFunction::GetSignature() const
+{
+	const std::string OfInputs =
+		std::string("(FRDGBuilder& GraphBuilder, const FViewInfo& View, const ") + Inputs + "& Inputs)";
+	return std::string(Result) + " " + Name + (*Inputs != '\0' ? OfInputs : Parameters);
+}
+
+FPassReplacement::FPassReplacement(const char* Name, FAnyFunction InFunction, FAnyFunction Own)
 	: Function(InFunction)
 {
-	GetRegistered().push_back({Name, FindLibrary(InFunction), InFunction});
+	// Without a function of its own the library's call leads back to drydock's, and that to the library.
+	const std::string Library = FindLibrary(this);
+	if (Own != nullptr && FindLibrary(reinterpret_cast<const void*>(Own)) == Library)
+	{
+		const FCodeOwner Owner = {.Plugin = Library.substr(Library.rfind('/') + 1), .Callback = Name};
+		GetRegistered().push_back({Name, Library, InFunction, Owner, false});
+	}
 }
 
 FPassReplacement::~FPassReplacement()
 {
-	std::erase_if(GetRegistered(), [this](const FRegisteredReplacement& Each) { return Each.Function == Function; });
+	std::erase_if(GetRegistered(), [this](const FActiveReplacement& Each) { return Each.Address == Function; });
 }
 
 FScopedPassReplacements::FScopedPassReplacements(const std::vector<std::string>& Libraries)
 	: Before(GetActive())
 {
-	FActiveReplacements Active;
+	std::vector<FActiveReplacement> Active;
 	for (const std::string& Library : Libraries)
 	{
-		for (const FRegisteredReplacement& Each : GetRegistered())
+		for (const FActiveReplacement& Each : GetRegistered())
 		{
 			if (Each.Library == Library)
 			{
-				std::erase_if(Active, [&](const auto& Lower) { return Lower.first == Each.Name; });
-				Active.emplace_back(Each.Name, Each.Function);
+				std::erase_if(Active, [&](const FActiveReplacement& Lower) { return Lower.Name == Each.Name; });
+				Active.push_back(Each);
 			}
 		}
 	}
@@ -108,12 +121,45 @@ FScopedPassReplacements::~FScopedPassReplacements()
 	GetActive() = std::move(Before);
 }
 
-FAnyFunction FindPassReplacement(const char* Name)
+const FActiveReplacement* TakePassReplacement(const char* Name)
 {
-	const FActiveReplacements& Active = GetActive();
-	const auto Found =
-		std::find_if(Active.begin(), Active.end(), [Name](const auto& Each) { return Each.first == Name; });
-	return Found != Active.end() ? Found->second : nullptr;
+	FActiveReplacement* const Found = FindActive(Name);
+	if (Found != nullptr)
+	{
+		Found->bCalled = true;
+	}
+	return Found;
+}
+
+const FActiveReplacement* FindPassReplacement(const char* Name)
+{
+	return FindActive(Name);
+}
+
+std::vector<std::string> TakeUncalledReplacements()
+{
+	std::vector<std::string> Names;
+	for (FActiveReplacement& Each : GetActive())
+	{
+		if (!std::exchange(Each.bCalled, false))
+		{
+			Names.push_back(Each.Name);
+		}
+	}
+	return Names;
+}
+
+std::vector<std::string> ListPassReplacements(const std::string& Library)
+{
+	std::vector<std::string> Names;
+	for (const FActiveReplacement& Each : GetRegistered())
+	{
+		if (Each.Library == Library)
+		{
+			Names.push_back(Each.Name);
+		}
+	}
+	return Names;
 }
 
 size_t CountPassReplacements()
@@ -124,24 +170,26 @@ size_t CountPassReplacements()
 } // namespace Drydock
 
 #define DRYDOCK_MEMBER(Name) &PassInputs.Name,
-#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Inputs, Members) \
+#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Effect, Inputs, Members) \
 	Result Function(FRDGBuilder& GraphBuilder, const FViewInfo& View, const Inputs& PassInputs) \
 	{ \
-		if (const Drydock::FAnyFunction Replaced = Drydock::FindPassReplacement(#Function)) \
+		if (const Drydock::FActiveReplacement* const Replaced = Drydock::TakePassReplacement(#Function)) \
 		{ \
 			const void* const Addresses[] = {Members}; \
 			using FReplaced = Result (*)(FRDGBuilder&, const FViewInfo&, const void* const*); \
-			return reinterpret_cast<FReplaced>(Replaced)(GraphBuilder, View, Addresses); \
+			return Drydock::CallCode(Replaced->Owner, \
+				[&] { return reinterpret_cast<FReplaced>(Replaced->Address)(GraphBuilder, View, Addresses); }); \
 		} \
 		return Drydock::BuiltIn##Function(GraphBuilder, View, PassInputs); \
 	}
-#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Parameters, Arguments) \
+#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Effect, Parameters, Arguments) \
 	Result Scope Function Parameters \
 	{ \
-		if (const Drydock::FAnyFunction Replaced = Drydock::FindPassReplacement(#Scope #Function)) \
+		if (const Drydock::FActiveReplacement* const Replaced = Drydock::TakePassReplacement(#Scope #Function)) \
 		{ \
 			using FReplaced = Result(*) Parameters; \
-			return reinterpret_cast<FReplaced>(Replaced) Arguments; \
+			return Drydock::CallCode( \
+				Replaced->Owner, [&] { return reinterpret_cast<FReplaced>(Replaced->Address) Arguments; }); \
 		} \
 		return Drydock::BuiltIn##Function Arguments; \
 	}

@@ -4,6 +4,7 @@
 
 #include "CoreMinimal.h"
 #include "RenderGraphFwd.h"
+#include "RunningCode.h"
 #include "SceneTextureParameters.h"
 #include "ScreenPass.h"
 
@@ -37,9 +38,9 @@ namespace Drydock
 struct FREDPostProcessParameters;
 
 // drydock's own passes: BuiltInAddBloomSetupPass, ...
-#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Inputs, Members) \
+#define DRYDOCK_PASS_INPUTS(Result, Function, Header, Shader, Effect, Inputs, Members) \
 	Result BuiltIn##Function(FRDGBuilder& GraphBuilder, const FViewInfo& View, const Inputs& PassInputs);
-#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Parameters, Arguments) \
+#define DRYDOCK_PASS(Result, Scope, Function, Header, Shader, Effect, Parameters, Arguments) \
 	Result BuiltIn##Function Parameters;
 #include "PassFunctions.inl"
 #undef DRYDOCK_PASS
@@ -51,10 +52,14 @@ struct FPassFunction
 	const char* Name = "";       // "AddBloomSetupPass", "DiaphragmDOF::AddPasses"
 	const char* Header = "";     // below Renderer/Private
 	const char* Shader = "";     // in /Engine/Private; empty: none
+	const char* Effect = "";     // that adds it, in the ledger
 	const char* Result = "";     // the type
 	const char* Parameters = ""; // with parentheses; empty where there are members
 	const char* Inputs = "";     // the struct whose members are handed over one by one; empty: none
 	std::vector<const char*> Members;
+
+	/** As it is declared. */
+	DRYDOCK_API std::string GetSignature() const;
 };
 
 DRYDOCK_API const std::vector<FPassFunction>& GetPassFunctions();
@@ -63,15 +68,25 @@ using FAnyFunction = void (*)();
 
 /** Puts a function of an overlay's library in the place of a pass function, or of a place of the chain
  * (ChainPlaces.h), while the library is loaded and the overlay is active. Function: of the row's signature; where the
- * row has members, it takes the graph builder, the view and a pointer to the members' addresses. */
+ * row has members, it takes the graph builder, the view and a pointer to the members' addresses. Own: the function that
+ * the library must define for that; null, or of another library: nothing is replaced. */
 class DRYDOCK_API FPassReplacement : private FNoncopyable
 {
 public:
-	FPassReplacement(const char* Name, FAnyFunction Function);
+	FPassReplacement(const char* Name, FAnyFunction Function, FAnyFunction Own);
 	~FPassReplacement();
 
 private:
 	FAnyFunction Function;
+};
+
+struct FActiveReplacement
+{
+	std::string Name;
+	std::string Library;
+	FAnyFunction Address = nullptr;
+	FCodeOwner Owner; // for CallCode
+	bool bCalled = false;
 };
 
 /** While it lives, the replacements of these libraries (paths) act. The last one made wins; it must be destroyed first.
@@ -83,11 +98,20 @@ public:
 	~FScopedPassReplacements();
 
 private:
-	std::vector<std::pair<std::string, FAnyFunction>> Before;
+	std::vector<FActiveReplacement> Before;
 };
 
-/** The active replacement of that name; null: drydock's own runs. */
-DRYDOCK_API FAnyFunction FindPassReplacement(const char* Name);
+/** The active replacement of that name for one who calls it; null: drydock's own runs. */
+DRYDOCK_API const FActiveReplacement* TakePassReplacement(const char* Name);
+
+/** The same for one who only asks. */
+DRYDOCK_API const FActiveReplacement* FindPassReplacement(const char* Name);
+
+/** Names of the active replacements that nobody has called since the last call of this. */
+DRYDOCK_API std::vector<std::string> TakeUncalledReplacements();
+
+/** Names that a library (path) has registered. */
+DRYDOCK_API std::vector<std::string> ListPassReplacements(const std::string& Library);
 
 /** How many are registered, by all libraries that are loaded. */
 DRYDOCK_API size_t CountPassReplacements();

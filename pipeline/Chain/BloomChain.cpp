@@ -5,6 +5,7 @@
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Bloom/PostProcessGaussianBloom.h"
 #include "Bloom/ToonBloomSetup.h"
+#include "CodeScope.h"
 #include "Effects/Effect.h"
 #include "Overlay/ChainPlaces.h"
 #include "RenderGraphBuilder.h"
@@ -38,6 +39,8 @@ FScreenPassTexture AddSetup(FRDGBuilder& GraphBuilder, const FViewInfo& View, co
 	Setup.SceneColor = Picture;
 	Setup.EyeAdaptationBuffer = Inputs.EyeAdaptationBuffer;
 	Setup.Threshold = Threshold;
+	Setup.EyeAdaptationParameters = &Inputs.EyeAdaptationParameters;
+	Setup.LocalExposureParameters = &Inputs.LocalExposureParameters;
 	if (LocalExposure.IsValid())
 	{
 		LocalExposure.GiveTo(Setup);
@@ -48,15 +51,20 @@ FScreenPassTexture AddSetup(FRDGBuilder& GraphBuilder, const FViewInfo& View, co
 }
 
 /** The picture after the block of an overlay, whether that adds the setup or not. */
-FScreenPassTexture RunSetupPlace(Drydock::FAnyFunction Place, FRDGBuilder& GraphBuilder, const FViewInfo& View,
-	const FBloomChainInputs& Inputs, bool bRequired)
+FScreenPassTexture RunSetupPlace(const Drydock::FActiveReplacement& Place, FRDGBuilder& GraphBuilder,
+	const FViewInfo& View, const FBloomChainInputs& Inputs, bool bRequired)
 {
 	FScreenPassTexture DownsampleInput = Inputs.HalfResolution;
-	Drydock::FBloomSetupPlace Locals = {GraphBuilder, View, *Inputs.PostProcessing, bRequired, DownsampleInput,
-		Inputs.EyeAdaptationBuffer, Inputs.EyeAdaptationParameters, Inputs.LocalExposureParameters,
-		Inputs.LocalExposure.BilateralGrid, Inputs.LocalExposure.BlurredLogLuminance,
-		{Drydock::IsLocalExposureAppliedToBloom()}};
-	reinterpret_cast<void (*)(Drydock::FBloomSetupPlace&)>(Place)(Locals);
+	Drydock::FBloomSetupPlace Locals = {GraphBuilder, View, *Inputs.PostProcessing,
+		View.FinalPostProcessSettings.BloomThreshold, bRequired, DownsampleInput, Inputs.EyeAdaptationBuffer,
+		Inputs.EyeAdaptationParameters, Inputs.LocalExposureParameters, Inputs.LocalExposure.BilateralGrid,
+		Inputs.LocalExposure.BlurredLogLuminance, {Drydock::IsLocalExposureAppliedToBloom()}};
+	Drydock::CallCode(
+		Place.Owner, [&] { reinterpret_cast<void (*)(Drydock::FBloomSetupPlace&)>(Place.Address)(Locals); });
+	if (!(DownsampleInput == Inputs.HalfResolution))
+	{
+		Drydock::TakePassReplacement("AddBloomSetupPass"); // which the block calls in its own library
+	}
 	return DownsampleInput;
 }
 
@@ -92,9 +100,9 @@ FBloomChainOutputs AddBloomPasses(FRDGBuilder& GraphBuilder, const FViewInfo& Vi
 	const float Threshold = View.FinalPostProcessSettings.BloomThreshold;
 	const bool bRequired = Threshold > NoThreshold || Inputs.LocalExposure.IsValid();
 	FScreenPassTexture BloomInput = Inputs.HalfResolution;
-	if (const Drydock::FAnyFunction Place = Drydock::FindPassReplacement(Drydock::BloomSetupPlaceName))
+	if (const Drydock::FActiveReplacement* const Place = Drydock::TakePassReplacement(Drydock::BloomSetupPlaceName))
 	{
-		BloomInput = RunSetupPlace(Place, GraphBuilder, View, Inputs, bRequired);
+		BloomInput = RunSetupPlace(*Place, GraphBuilder, View, Inputs, bRequired);
 	}
 	else if (bRequired || Inputs.Toon != nullptr)
 	{

@@ -164,14 +164,14 @@ public:
 				BloomInputs.LocalExposure = LocalExposure;
 			}
 			BloomInputs.Toon = bToonBloom ? &ToonInputs : nullptr;
+			BloomInputs.EyeAdaptationParameters = EyeAdaptationParameters;
+			BloomInputs.LocalExposureParameters = LocalExposure.Parameters;
 			FPostProcessingInputs PostProcessing;
 			if (FindPassReplacement(BloomSetupPlaceName))
 			{
 				PostProcessing.SceneTextures = GetSceneTextures();
 				PostProcessing.ViewFamilyTexture = Inputs.ViewFamilyTexture;
 				BloomInputs.PostProcessing = &PostProcessing;
-				BloomInputs.EyeAdaptationParameters = EyeAdaptationParameters;
-				BloomInputs.LocalExposureParameters = LocalExposure.Parameters;
 			}
 			const FBloomChainOutputs BloomOutputs = AddBloomPasses(GraphBuilder, View, BloomInputs);
 			Bloom = BloomOutputs.Bloom;
@@ -216,6 +216,8 @@ public:
 			{
 				TonemapInputs.ColorGradingTexture = AddCombineLUTPass(GraphBuilder, View);
 			}
+			TonemapInputs.EyeAdaptationParameters = &EyeAdaptationParameters;
+			TonemapInputs.LocalExposureParameters = &LocalExposure.Parameters;
 			if (LocalExposure.IsValid())
 			{
 				LocalExposure.GiveTo(TonemapInputs);

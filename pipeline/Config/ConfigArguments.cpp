@@ -129,7 +129,7 @@ void AddPluginArgument(FConfig& Config, const std::string& File)
 
 void AddOverlayArgument(FConfig& Config, const std::string& Folder)
 {
-	const std::string Path = std::filesystem::absolute(Folder).lexically_normal().string();
+	const std::string Path = Folder.empty() ? "" : std::filesystem::absolute(Folder).lexically_normal().string();
 	Config.Overlays.push_back({{Path, {0, 0, "--overlay"}}, {}});
 }
 

@@ -43,6 +43,7 @@ constexpr FKindText Kinds[] = {
 	{"Settings", "an object"},
 	{"Variables", "an object"},
 	{"ShowFlags", "an object"},
+	{"Folders", "a folder's name, or an array of them"},
 	{"Anything", "a value"},
 };
 

@@ -27,6 +27,7 @@ enum class EConfigKind
 	Settings,    // post-process settings and their bOverride_ bits
 	Variables,   // console variables
 	ShowFlags,   // show flags
+	Folders,     // a folder's name, an object of the kind named by Of if there is one, or an array of these
 	Anything,
 };
 

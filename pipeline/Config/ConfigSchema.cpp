@@ -55,7 +55,7 @@ void WriteKind(FJsonWriter& Writer, const FConfigKey& Key, const std::string& Of
 {
 	static const std::map<EConfigKind, const char*> Defined = {{EConfigKind::Vector3, "vector3"},
 		{EConfigKind::Rotator, "rotator"}, {EConfigKind::Settings, "Settings"}, {EConfigKind::ShowFlags, "showFlags"},
-		{EConfigKind::Variables, "variables"}};
+		{EConfigKind::Variables, "variables"}, {EConfigKind::Folders, "folders"}};
 	switch (Key.Kind)
 	{
 	case EConfigKind::String:
@@ -273,8 +273,7 @@ void WriteSettingsSchema(FJsonWriter& Writer)
 	Writer.Key("Settings").BeginObject();
 	WriteType(Writer, "object");
 	Writer.Key("properties").BeginObject();
-	const std::vector<FSettingField> Fields(
-		GetSettingFields().begin(), GetSettingFields().begin() + static_cast<ptrdiff_t>(GetNumTableSettings()));
+	const std::vector<FSettingField>& Fields = GetSettingFields();
 	for (const FSettingField& Field : Fields)
 	{
 		WriteSettingSchema(Writer, Field);

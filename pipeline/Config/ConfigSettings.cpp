@@ -297,6 +297,7 @@ std::string FConfigMessages::SuggestSetting(const std::string& Name) const
 FConfigSettings ReadConfigSettings(const FJsonValue& Value, FConfigMessages& Messages)
 {
 	FConfigSettings Settings;
+	StartWithDefaults(Settings.Settings);
 	for (const auto& [Name, Member] : Value.Members)
 	{
 		if (Name == BlendablesName)

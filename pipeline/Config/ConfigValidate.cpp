@@ -155,6 +155,9 @@ private:
 		case EConfigKind::Padding:
 			ValidatePadding(Value, Key);
 			break;
+		case EConfigKind::Folders:
+			ValidateFolders(Value, Key, true);
+			break;
 		case EConfigKind::Settings:
 		case EConfigKind::Variables:
 		case EConfigKind::ShowFlags:
@@ -246,6 +249,23 @@ private:
 		else
 		{
 			Expect(Value, EJsonType::Number, Key);
+		}
+	}
+
+	void ValidateFolders(const FJsonValue& Value, const FConfigKey& Key, bool bOrArray)
+	{
+		if (Value.Type == EJsonType::Array && bOrArray)
+		{
+			std::for_each(Value.Elements.begin(), Value.Elements.end(),
+				[&](const FJsonValue& Element) { ValidateFolders(Element, Key, false); });
+		}
+		else if (Value.Type == EJsonType::Object && !Key.Of.empty())
+		{
+			ValidateObject(Value, Key.Of);
+		}
+		else
+		{
+			Expect(Value, EJsonType::String, Key);
 		}
 	}
 

@@ -152,7 +152,8 @@ void ReadObjects(const FJsonValue& Root, const char* Key, std::vector<FJsonValue
 		});
 }
 
-/** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. Anything else was reported. */
+/** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. Anything else is reported elsewhere.
+ */
 void ReadOverlay(const FJsonValue& Value, FConfig& Config)
 {
 	if (Value.Type == EJsonType::String)
@@ -183,7 +184,10 @@ void ReadOverlay(const FJsonValue& Value, FConfig& Config)
 		{
 			Overlay.Over.push_back(Over->String);
 		}
-		Config.Overlays.push_back(std::move(Overlay));
+		if (Overlay.Folder.IsSet())
+		{
+			Config.Overlays.push_back(std::move(Overlay));
+		}
 	}
 }
 
@@ -275,6 +279,7 @@ FConfig ReadConfigPlugins(const FConfigDocument& Document)
 	if (!Document.bSyntaxError)
 	{
 		ReadPlugins(Document.Root, Config);
+		ReadObjects(Document.Root, "passes", Config.Passes); // whose shaders an overlay may bring
 	}
 	return Config;
 }

@@ -57,7 +57,7 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 	}
 	else if (IsBloomSetupReplaced())
 	{
-		Toon.Reason = "an engine overlay adds the bloom setup";
+		Toon.Reason = "the bloom setup is an engine overlay's, and drydock's own factor stands back";
 	}
 	else if (Mode < 0 && !bCalledFor)
 	{
@@ -78,11 +78,10 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 	else
 	{
 		Toon.bActive = true;
-		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) +
-					  (bTakenAway ? ", not its default though nothing names it" : "") +
+		Toon.Reason = "BloomToonIntensity is " + NumberText(Factor) + (bTakenAway ? ", though nothing names it" : "") +
 					  (bThreshold ? "" : ": it brings the setup pass into the graph") + AsPrintedText();
 	}
-	if (!Toon.bActive && NoBloom.empty() && !bThreshold)
+	if (!Toon.bActive && NoBloom.empty() && !bThreshold && FindPassReplacement(BloomSetupPlaceName) == nullptr)
 	{
 		Toon.Reason += "; without it the bloom setup pass is not in the graph (BloomThreshold is " +
 					   NumberText(Inputs.Settings.BloomThreshold) + ")";

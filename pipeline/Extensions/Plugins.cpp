@@ -122,7 +122,8 @@ bool Load(
 	Values.GiveTo(Name);
 	CallCode(FCodeOwner{Name, "the start of its modules"}, [] { FModuleManager::Get().StartupPendingModules(); });
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
-	if (NumExtensions == 0 && CountRegistered() == NumBefore)
+	const bool bOverlay = Plugin.Place.Pointer == "/overlay"; // which ReportOverlays looks at
+	if (NumExtensions == 0 && CountRegistered() == NumBefore && !bOverlay)
 	{
 		Messages.Warn(WarnPluginEmpty, Plugin.Place,
 			"the plugin registered no extension, pass or shader: an extension must be made by "

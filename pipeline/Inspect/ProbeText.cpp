@@ -33,20 +33,23 @@ std::string FormatTexel(const std::string& Name, const FProbeTexel& Texel, const
 		FormatValue(Texel.Value, Texel.NumChannels), Texel.Format);
 }
 
-/** The texel at the pixel, then those that the shader read. */
+/** Those that the shader read, with their values; before them the texel at the pixel. */
 std::string FormatReads(const FProbeRead& Read, const FProbeRequest& Request)
 {
 	std::vector<FFootprintTexel> Texels = Read.Texels;
 	std::ranges::stable_sort(Texels, std::greater(), &FFootprintTexel::Weight);
 	const std::string Size =
 		Read.Size == Request.Frame ? std::string() : fmt::format(" of {} x {}", Read.Size[0], Read.Size[1]);
-	std::string Text = (Read.AtPixel ? FormatTexel(Read.Texture, *Read.AtPixel, Size) : Read.Texture) + ": ";
+	std::string Text =
+		Read.AtPixel ? FormatTexel(Read.Texture, *Read.AtPixel, Size) + " at the pixel, read: " : Read.Texture + ": ";
+	const int NumChannels = Read.AtPixel ? Read.AtPixel->NumChannels : 4;
 	for (size_t i = 0; i < Texels.size() && i < MaxProbedTexels; ++i)
 	{
 		const FFootprintTexel& Texel = Texels[i];
 		const std::string At = Texel.X < 0 ? std::string("border") : fmt::format("{},{}", Texel.X, Texel.Y);
-		Text +=
-			fmt::format("{}{}{}", i ? ", " : "", At, Texel.Weight == 1 ? "" : fmt::format(" x {:.4g}", Texel.Weight));
+		Text += fmt::format("{}{}{} = {}", i ? ", " : "", At,
+			Texel.Weight == 1 ? "" : fmt::format(" x {:.4g}", Texel.Weight),
+			FormatValue({Texel.Value[0], Texel.Value[1], Texel.Value[2], Texel.Value[3]}, NumChannels));
 	}
 	return Text + (Texels.size() > MaxProbedTexels ? fmt::format(", {} more", Texels.size() - MaxProbedTexels)
 												   : std::string());

@@ -97,13 +97,13 @@ std::optional<size_t> FindClosing(std::string_view Text, size_t Open)
 	return std::nullopt;
 }
 
-bool DefinesFunction(std::string_view Text, std::string_view Name)
+std::optional<size_t> FindDefinition(std::string_view Text, std::string_view Name)
 {
 	const size_t Scope = Name.rfind("::");
 	const std::string_view Plain = Scope == Name.npos ? Name : Name.substr(Scope + 2);
 	if (Scope != Name.npos && FindWord(Text, Name.substr(0, Scope)).empty())
 	{
-		return false;
+		return std::nullopt;
 	}
 	for (const size_t At : FindWord(Text, Plain))
 	{
@@ -113,10 +113,10 @@ bool DefinesFunction(std::string_view Text, std::string_view Name)
 		const size_t Body = End ? SkipBlanks(Text, *End) : Text.size();
 		if (Body < Text.size() && Text[Body] == '{')
 		{
-			return true;
+			return At;
 		}
 	}
-	return false;
+	return std::nullopt;
 }
 
 int GetLineOf(std::string_view Text, size_t Place)

@@ -21,8 +21,9 @@ DRYDOCK_API std::vector<size_t> FindWord(std::string_view Text, std::string_view
 /** The place after the bracket that closes the one at Open, "(", "{" or "[". Nothing where none does. */
 DRYDOCK_API std::optional<size_t> FindClosing(std::string_view Text, size_t Open);
 
-/** Whether the text defines a function of that name, with or without a scope before it. */
-DRYDOCK_API bool DefinesFunction(std::string_view Text, std::string_view Name);
+/** The place of the name where the text defines such a function, with or without a scope before it; nothing: it does
+ * not. */
+DRYDOCK_API std::optional<size_t> FindDefinition(std::string_view Text, std::string_view Name);
 
 /** The number of the line that a place is in, from 1 on. */
 DRYDOCK_API int GetLineOf(std::string_view Text, size_t Place);

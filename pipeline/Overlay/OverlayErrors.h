@@ -13,6 +13,7 @@ enum EOverlayError
 	ErrorOverlayRefused = 1134, // one with C++ in a run without plugins
 	NoteOverlayUnused = 1135,   // files of an overlay that nothing here reads
 	NoteOverlay = 1136,         // what an overlay replaces
+	NoteOverlayNotUsed = 1137,  // what of that a frame had no use for, and why
 };
 
 } // namespace Drydock

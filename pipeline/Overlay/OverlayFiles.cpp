@@ -47,6 +47,27 @@ std::string GetShortName(std::string_view Function)
 	return std::string(Function);
 }
 
+/** The text that a pass's config has in place of BloomSetup's, so that the chain calls the pass. */
+struct FPassCall
+{
+	std::string_view Pass;
+	const char* Text;
+	std::string_view Old = R"("camera": { "Settings": { "BloomIntensity": 1.0, "BloomThreshold": 0.5 } })";
+};
+
+constexpr FPassCall PassCalls[] = {
+	{"FFTBloom", R"("camera": { "Settings": { "BloomIntensity": 1.0, "BloomMethod": "BM_FFT" } })"},
+	{"FXAA", R"("cvars": { "r.AntiAliasingMethod": 1 })"},
+	{"Upscale", R"("scenes/room.exr", "screenPercentage": 50)", R"("scenes/room.exr")"},
+	{"MotionBlur", R"("camera": { "Settings": { "MotionBlurAmount": 1.0 } })"},
+	{"HistogramEyeAdaptation", R"("view": { "exposure": "auto" })"},
+	{"BasicEyeAdaptationSetup",
+		R"("view": { "exposure": "auto" }, "camera": { "Settings": { "AutoExposureMethod": "AEM_Basic" } })"},
+	{"BasicEyeAdaptation",
+		R"("view": { "exposure": "auto" }, "camera": { "Settings": { "AutoExposureMethod": "AEM_Basic" } })"},
+	{"LocalExposureBlurredLogLuminance", R"("camera": { "Settings": { "LocalExposureHighlightContrastScale": 0.6 } })"},
+};
+
 Files::path GetTemplates()
 {
 	return Files::path(FindTemplates()) / "overlay";
@@ -114,9 +135,13 @@ std::string FindFunction(const std::vector<std::string>& Lines, size_t Line)
 		}
 		const bool bHead = Text.starts_with("struct ") || Text.starts_with("class ") || Text.find('(') != Text.npos;
 		const auto At = Lines.begin() + static_cast<std::ptrdiff_t>(Index);
-		const bool bBody = Text.starts_with("BEGIN_") ||
-						   std::any_of(At, At + static_cast<std::ptrdiff_t>(std::min(Line, Lines.size()) - Index),
-							   [](const std::string& Next) { return Next.starts_with('{'); });
+		const bool bBody = std::any_of(At, At + static_cast<std::ptrdiff_t>(std::min(Line, Lines.size()) - Index),
+			[](const std::string& Next) { return Next.starts_with('{'); });
+		if (bOutermost && Text.starts_with("BEGIN_"))
+		{
+			const size_t Open = Text.find('(') + 1;
+			return "struct " + Trim(Text.substr(Open, Text.find_first_of(",)", Open) - Open));
+		}
 		if (bOutermost && bHead && bBody && !Text.ends_with(';'))
 		{
 			return Trim(Text.substr(0, Text.find('(')));
@@ -125,13 +150,42 @@ std::string FindFunction(const std::vector<std::string>& Lines, size_t Line)
 	return "";
 }
 
+/** Without the byte-order mark and the carriage return of another editor. */
+std::string NormalizeLine(std::string Line)
+{
+	constexpr std::string_view Mark = "\xef\xbb\xbf";
+	if (const size_t At = Line.find(Mark); At <= 1) // behind + or -
+	{
+		Line.erase(At, Mark.size());
+	}
+	return Line.ends_with('\r') ? Line.substr(0, Line.size() - 1) : Line;
+}
+
+/** Whether the line's code names something of drydock's own; comments may. */
+bool NamesOwn(const std::string& Line)
+{
+	const std::string Code = Trim(Line.substr(1, Line.find("//") - 1));
+	return !Code.starts_with('*') && !Code.starts_with("/*") && ToLowerCase(Code).find("drydock") != Code.npos;
+}
+
 /** Reads what `diff` prints: two lines of names, then hunks "@@ -a,b +c,d @@". Those of one function are joined. */
 void TakeHunks(
 	const std::string& File, const std::string& Edited, const std::string& Output, std::vector<FOverlayHunk>& Hunks)
 {
 	const std::vector<std::string> Lines = SplitText(Edited);
+	std::vector<std::string> Changed = SplitText(Output);
+	std::transform(Changed.begin(), Changed.end(), Changed.begin(), NormalizeLine);
+	for (size_t Index = 0; Index + 1 < Changed.size(); ++Index)
+	{
+		const bool bPair = Index > 2 && Changed[Index - 1].starts_with("@@ ") && Changed[Index].starts_with('-');
+		if (bPair && "+" + Changed[Index].substr(1) == Changed[Index + 1])
+		{
+			Changed.erase(Changed.begin() + static_cast<std::ptrdiff_t>(Index) - 1, // with its head
+				Changed.begin() + static_cast<std::ptrdiff_t>(Index) + 2);
+		}
+	}
 	bool bInHunk = false;
-	for (const std::string& Line : SplitText(Output))
+	for (const std::string& Line : Changed)
 	{
 		if (Line.starts_with("@@ "))
 		{
@@ -148,7 +202,7 @@ void TakeHunks(
 		{
 			FOverlayHunk& Hunk = Hunks.back();
 			Hunk.Lines += Line + "\n";
-			Hunk.bOwn |= ToLowerCase(Line).find("drydock") != Line.npos;
+			Hunk.bOwn |= NamesOwn(Line);
 		}
 	}
 }
@@ -157,7 +211,17 @@ void TakeHunks(
 
 std::vector<std::string> ListOverlayPasses()
 {
-	return ToVector<std::string>(GetPassFunctions(), [](const FPassFunction& Pass) { return GetShortName(Pass.Name); });
+	std::vector<std::string> Passes;
+	for (const FPassFunction& Function : GetPassFunctions())
+	{
+		const std::string Pass = GetShortName(Function.Name);
+		std::error_code Error;
+		if (*Function.Shader != '\0' || Files::is_directory(GetTemplates() / Pass, Error))
+		{
+			Passes.push_back(Pass);
+		}
+	}
+	return Passes;
 }
 
 std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::string& Pass)
@@ -167,8 +231,11 @@ std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::str
 		[&](const FPassFunction& Function) { return GetShortName(Function.Name) == Pass; });
 	if (Found == Functions.end())
 	{
+		const bool bFunction = std::any_of(
+			Functions.begin(), Functions.end(), [&](const FPassFunction& Function) { return Function.Name == Pass; });
 		throw FError({.Code = ErrorOverlayFolder,
-						 .Message = "there is no pass \"" + Pass + "\"" + Suggest(Pass, ListOverlayPasses()) +
+						 .Message = "there is no pass \"" + Pass + "\"" +
+									Suggest(bFunction ? GetShortName(Pass) : Pass, ListOverlayPasses()) +
 									"; the passes are " + JoinText(ListOverlayPasses())},
 			ExitUsage);
 	}
@@ -191,7 +258,15 @@ std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::str
 						   Name + "/Engine/Source/Runtime/Renderer/Private/PostProcess"},
 			ExitUsage);
 	}
-	Made.push_back({Name + ".json", RenamePatch(ReadOwnFile(GetTemplates() / "MyPatch.json"), Name)});
+	std::string Config = RenamePatch(ReadOwnFile(GetTemplates() / "MyPatch.json"), Name);
+	for (const FPassCall& Call : PassCalls)
+	{
+		if (Call.Pass == Pass)
+		{
+			Config.replace(Config.find(Call.Old), Call.Old.size(), Call.Text);
+		}
+	}
+	Made.push_back({Name + ".json", Config});
 	Made.push_back({"scenes/room.exr",
 		ReadOwnFile(Files::path(FindTemplates()).parent_path() / "configs/scenes/moving_camera.0001.exr")});
 	std::sort(Made.begin(), Made.end(), [](const FPatchFile& A, const FPatchFile& B) { return A.Path < B.Path; });
@@ -213,6 +288,13 @@ FOverlayDifference CompareOverlay(const FOverlayFolder& Folder)
 		if (Original.empty())
 		{
 			Difference.NewFiles.push_back(File);
+			FOverlayHunk New{File, "new to drydock", "", false};
+			for (const std::string& Line : SplitText(TryReadTextFile(Path).value_or("")))
+			{
+				New.Lines += NormalizeLine("+" + Line) + "\n";
+				New.bOwn |= NamesOwn("+" + Line);
+			}
+			Difference.Hunks.push_back(std::move(New));
 			continue;
 		}
 		const FChildResult Result =

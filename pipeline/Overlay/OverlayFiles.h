@@ -33,7 +33,7 @@ DRYDOCK_API std::string FormatHunks(const std::vector<FOverlayHunk>& Hunks);
 struct FOverlayDifference
 {
 	std::vector<FOverlayHunk> Hunks;
-	std::vector<std::string> NewFiles; // that drydock has no text of
+	std::vector<std::string> NewFiles; // that drydock has no text of; all of their lines are added ones
 };
 
 /** Compares the overlay's files with drydock's. Throws FError (exit code 3) where `diff` cannot be started. */

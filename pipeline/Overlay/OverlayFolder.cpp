@@ -135,7 +135,12 @@ private:
 
 	void Take(const std::string& File)
 	{
-		if (File.starts_with(ShaderRoot) && HasExtension(File, {".usf", ".ush"}))
+		std::error_code Error;
+		if (!Files::exists(Absolute(File), Error))
+		{
+			Fail(ErrorOverlayFolder, Absolute(File), 0, "is a link to a file that does not exist");
+		}
+		else if (File.starts_with(ShaderRoot) && HasExtension(File, {".usf", ".ush"}))
 		{
 			Folder.Shaders.push_back("/Engine/" + File.substr(ShaderRoot.size()));
 		}
@@ -147,14 +152,15 @@ private:
 		{
 			Read(File);
 		}
-		else if (File.starts_with(RendererRoot) && HasExtension(File, {".cpp"}))
+		else if (File.starts_with(RendererRoot + "Private/") && HasExtension(File, {".cpp"}))
 		{
 			Read(File);
 			Folder.Sources.push_back(Absolute(File));
 		}
 		else
 		{
-			Folder.Unused.push_back(File);
+			const bool bCode = HasExtension(File, {".cpp", ".h", ".inl"});
+			Folder.Unused.push_back(File + (bCode ? " (C++ is read below " + RendererRoot + "Private)" : ""));
 		}
 	}
 
@@ -162,12 +168,14 @@ private:
 	{
 		for (const FPassFunction& Pass : GetPassFunctions())
 		{
-			const bool bDefined = std::any_of(Folder.Sources.begin(), Folder.Sources.end(),
-				[&](const std::string& Source)
-				{ return DefinesFunction(BlankComments(Read(Source.substr(Folder.Path.size() + 1))), Pass.Name); });
-			if (bDefined)
+			for (const std::string& Source : Folder.Sources)
 			{
-				Folder.Passes.push_back(&Pass);
+				const std::string Text = BlankComments(Read(Source.substr(Folder.Path.size() + 1)));
+				if (const std::optional<size_t> At = FindDefinition(Text, Pass.Name))
+				{
+					Folder.Passes.push_back({&Pass, Source, GetLineOf(Text, *At)});
+					break;
+				}
 			}
 		}
 		for (const char* const Include : {"Private", "Private/PostProcess", "Public", "Internal"})
@@ -230,12 +238,32 @@ private:
 		{
 			++Count;
 			Folder.Places.push_back(
-				{&Place, Absolute(ChainFile), GetLineOf(Text, If - 1), Text.substr(If - 1, *End - If + 1)});
+				{&Place, Absolute(ChainFile), GetLineOf(Text, If - 1), Text.substr(If - 1, *End - If + 1), "", 0});
+			TakeCondition(Text, Blanked.substr(0, If - 1));
+		}
+	}
+
+	/** The last `bool CONDITION = ...;` before the block. */
+	void TakeCondition(const std::string& Text, const std::string& Before)
+	{
+		FOverlayPlace& Place = Folder.Places.back();
+		for (const size_t At : FindWord(Before, Place.Place->Condition))
+		{
+			const size_t Equals = SkipBlanks(Before, At + std::string_view(Place.Place->Condition).size());
+			const size_t End = Before.find(';', Equals);
+			const size_t Type = Before.find_last_not_of(" \t\r\n", At - 1);
+			if (End != Before.npos && Before[Equals] == '=' && Type >= 3 && Type != Before.npos &&
+				Before.compare(Type - 3, 4, "bool") == 0)
+			{
+				Place.Condition = "const " + Text.substr(Type - 3, End - Type + 4);
+				Place.ConditionLine = GetLineOf(Text, Type);
+			}
 		}
 	}
 
 	void TakeSettings()
 	{
+		Folder.Defaults = ReadOverlayDefaults({Absolute(SettingsSource), Read(SettingsSource)});
 		const FOverlayText Header = {Absolute(SettingsHeader), Read(SettingsHeader)};
 		if (Header.Text.empty())
 		{
@@ -244,7 +272,8 @@ private:
 		const size_t Before = Diagnostics.size();
 		FOverlaySettings Found = ReadOverlaySettings(Header, {Absolute(SettingsSource), Read(SettingsSource)},
 			{Absolute(SettingsView), Read(SettingsView)}, Diagnostics);
-		NumErrors += Diagnostics.size() - Before;
+		NumErrors += static_cast<size_t>(std::count_if(Diagnostics.begin() + static_cast<std::ptrdiff_t>(Before),
+			Diagnostics.end(), [](const FDiagnostic& Each) { return Each.Severity == ESeverity::Error; }));
 		Folder.Settings = std::move(Found.Settings);
 		Folder.EnumTexts = std::move(Found.EnumTexts);
 	}
@@ -265,9 +294,9 @@ std::string FOverlayFolder::GetShaderFile(const std::string& Shader) const
 std::vector<std::string> FOverlayFolder::ListReplaced() const
 {
 	std::vector<std::string> Names = Shaders;
-	for (const FPassFunction* const Pass : Passes)
+	for (const FOverlayPass& Pass : Passes)
 	{
-		Names.emplace_back(Pass->Name);
+		Names.emplace_back(Pass.Function->Name);
 	}
 	for (const FOverlayPlace& Place : Places)
 	{
@@ -276,6 +305,10 @@ std::vector<std::string> FOverlayFolder::ListReplaced() const
 	for (const FOverlaySetting& Setting : Settings)
 	{
 		Names.push_back(Setting.Name);
+	}
+	for (const FOverlayDefault& Default : Defaults)
+	{
+		Names.push_back(Default.GetPlace());
 	}
 	return Names;
 }

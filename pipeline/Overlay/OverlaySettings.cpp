@@ -185,7 +185,7 @@ std::optional<FEnumDefinition> FindEnum(const std::string& Blanked, const std::s
 }
 
 /** The value that a line `Name = VALUE;` gives in a constructor; a member of another object is left alone. */
-std::string FindAssignment(const std::string& Blanked, const std::string& Name)
+std::string FindAssignment(const std::string& Blanked, const std::string& Name, size_t* OutPlace = nullptr)
 {
 	for (const size_t At : FindWord(Blanked, Name))
 	{
@@ -194,6 +194,10 @@ std::string FindAssignment(const std::string& Blanked, const std::string& Name)
 		const size_t End = Blanked.find(';', Equals);
 		if (!bMember && End != Blanked.npos && Blanked[Equals] == '=' && Blanked[Equals + 1] != '=')
 		{
+			if (OutPlace != nullptr)
+			{
+				*OutPlace = At;
+			}
 			return Trim(Blanked.substr(Equals + 1, End - Equals - 1));
 		}
 	}
@@ -221,7 +225,61 @@ std::string FindBlend(const std::string& Blanked, const std::string& Name)
 	return "";
 }
 
+/** Names each UPROPERTY of the struct FPostProcessSettings that has no override bit and is unknown to drydock. */
+void NotePropertiesWithoutBit(
+	const std::string& File, const std::string& Blanked, std::vector<FDiagnostic>& Diagnostics)
+{
+	const std::vector<size_t> Structs = FindWord(Blanked, "FPostProcessSettings");
+	const size_t Open = Structs.empty() ? Blanked.npos : Blanked.find('{', Structs.front());
+	const size_t End = Open == Blanked.npos ? 0 : FindClosing(Blanked, Open).value_or(Blanked.size());
+	const std::vector<std::string> Overridden = FindOverriddenNames(Blanked);
+	for (const size_t At : FindWord(Blanked, "UPROPERTY"))
+	{
+		const bool bInside = At > Open && At < End;
+		const size_t Close = bInside ? FindClosing(Blanked, At).value_or(Blanked.size()) : Blanked.size();
+		const std::string Member = Blanked.substr(Close, Blanked.find_first_of("=;:[", Close) - Close);
+		const std::string Declaration = Trim(Member);
+		const std::string Plain = Declaration.substr(Declaration.find_last_of(" \t\n") + 1);
+		if (!Plain.empty() && !Plain.starts_with(OverrideBit) && !Plain.ends_with("_DEPRECATED") &&
+			Plain != "WeightedBlendables" && FindSettingField(Plain) == nullptr &&
+			std::find(Overridden.begin(), Overridden.end(), Plain) == Overridden.end())
+		{
+			Diagnostics.push_back({.Severity = ESeverity::Note,
+				.Code = ErrorOverlaySetting,
+				.Message = Plain + " becomes no setting: it has no bit " + OverrideBit + Plain,
+				.File = File,
+				.Line = GetLineOf(Blanked, Close)});
+		}
+	}
+}
+
+/** Whether a plain number or word says the field's default. */
+bool IsDefault(const FSettingField& Field, std::string Value)
+{
+	const bool bFloat = Value.ends_with('f') && Value.find_first_not_of("0123456789.+-ef") == Value.npos;
+	Value = bFloat ? Value.substr(0, Value.size() - 1) : Value.substr(std::min(Value.rfind(':') + 1, Value.size()));
+	FSettingValue Read;
+	std::string Ignored;
+	return SettingFromText(Field, Value == "nullptr" ? "None" : Value, Read, Ignored) && Read == Field.Default;
+}
+
 } // namespace
+
+std::vector<FOverlayDefault> ReadOverlayDefaults(const FOverlayText& Source)
+{
+	std::vector<FOverlayDefault> Found;
+	const std::string Blanked = BlankComments(Source.Text);
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		size_t Place = 0;
+		const std::string Value = FindAssignment(Blanked, Field.Name, &Place);
+		if (Field.AddedId == 0 && !Value.empty() && !IsDefault(Field, Value))
+		{
+			Found.push_back({Field.Name, Value, Source.File, GetLineOf(Blanked, Place)});
+		}
+	}
+	return Found;
+}
 
 FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayText& Source, const FOverlayText& View,
 	std::vector<FDiagnostic>& Diagnostics)
@@ -231,6 +289,7 @@ FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayT
 	const std::string BlankedSource = BlankComments(Source.Text);
 	const std::string BlankedView = BlankComments(View.Text);
 	FOverlaySettings Found;
+	NotePropertiesWithoutBit(Header.File, Blanked, Diagnostics);
 	for (const std::string& Name : FindOverriddenNames(Blanked))
 	{
 		const FSettingField* const Known = FindSettingField(Name);

@@ -25,6 +25,18 @@ struct FOverlaySetting
 	std::vector<std::string> EnumNames;
 };
 
+/** The default of a setting that drydock has, as the overlay's Scene.cpp gives it. */
+struct FOverlayDefault
+{
+	std::string Name;
+	std::string Value; // an expression of C++
+	std::string File;
+	int Line = 0;
+
+	/** The name under which FPassReplacement knows it. */
+	std::string GetPlace() const { return "the default of " + Name; }
+};
+
 /** A file of the overlay and its text. */
 struct FOverlayText
 {
@@ -39,8 +51,13 @@ struct FOverlaySettings
 };
 
 /** Every UPROPERTY of Header that has a bOverride_ bit there and is not in drydock's table. Defaults are those
- * of Source or Header, else zero. Mistakes are appended to Diagnostics. */
+ * of Source or Header, else zero. Mistakes are appended to Diagnostics, and a note on each UPROPERTY of
+ * FPostProcessSettings without such a bit. */
 DRYDOCK_API FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayText& Source,
 	const FOverlayText& View, std::vector<FDiagnostic>& Diagnostics);
+
+/** Every `Name = VALUE;` of Scene.cpp for a setting of drydock's table; a plain number or word that is drydock's
+ * default is left out. */
+DRYDOCK_API std::vector<FOverlayDefault> ReadOverlayDefaults(const FOverlayText& Source);
 
 } // namespace Drydock

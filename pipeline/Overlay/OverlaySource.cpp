@@ -53,36 +53,45 @@ std::string MakeIdentifier(std::string_view Name)
 	return Identifier;
 }
 
-std::string Register(std::string_view Name, const std::string& Function)
+std::string Register(std::string_view Name, const std::string& Function, const std::string& Own)
 {
-	return Fill(FindBlock("Registration"), {MakeIdentifier(Name), QuoteForCpp(std::string(Name)), Function});
+	return Fill(FindBlock("Registration"), {MakeIdentifier(Name), QuoteForCpp(std::string(Name)), Function, Own});
 }
 
 /** A function that fills the overlay's own struct from the members that it still has, and calls the overlay's pass. */
-std::string WritePassWithInputs(const FPassFunction& Pass)
+std::string WritePassWithInputs(const FPassFunction& Pass, const std::string& Own)
 {
 	std::string Members;
 	for (size_t Index = 0; Index < Pass.Members.size(); ++Index)
 	{
 		Members += Fill(FindBlock("Member of inputs"), {Pass.Members[Index], std::to_string(Index)});
 	}
-	return Fill(FindBlock("Pass with inputs"), {Pass.Result, Pass.Name, Pass.Inputs, Members}) +
-		   Register(Pass.Name, Fill("&Call$0", {Pass.Name}));
+	return Fill(FindBlock("Pass with inputs"), {Pass.Result, Pass.Name, Pass.Inputs, Members, Own}) +
+		   Register(Pass.Name, Fill("&Call$0", {Pass.Name}), Own + "()");
 }
 
 std::string WritePass(const FPassFunction& Pass)
 {
-	return *Pass.Inputs != '\0'
-			   ? WritePassWithInputs(Pass)
-			   : Register(Pass.Name, Fill("static_cast<$0 (*)$1>(&$2)", {Pass.Result, Pass.Parameters, Pass.Name}));
+	const std::string Parameters =
+		*Pass.Inputs != '\0' ? Fill("(FRDGBuilder&, const FViewInfo&, const $0&)", {Pass.Inputs}) : Pass.Parameters;
+	const std::string Own = "Find" + MakeIdentifier(Pass.Name);
+	const std::string Find =
+		Fill(FindBlock("Own function"), {Own, Pass.Name, Fill("$0 (*)$1", {Pass.Result, Parameters})});
+	return *Pass.Inputs != '\0' ? Find + WritePassWithInputs(Pass, Own)
+								: Find + Register(Pass.Name, Own + "()", Own + "()");
 }
 
 /** The block with the place's variables around it. Messages of the compiler name the overlay's file. */
 std::string WritePlace(const FOverlayPlace& Place)
 {
 	const std::string Struct = Place.Place->Struct;
-	return Fill(FindBlock("Place"), {Struct, std::to_string(Place.Line), QuoteForCpp(Place.File), Place.Text}) +
-		   Register(Place.Place->Name, "&Call" + Struct);
+	const std::string File = QuoteForCpp(Place.File);
+	const std::string Condition =
+		Place.Condition.empty()
+			? ""
+			: Fill("#line $0 $1\n$2\n", {std::to_string(Place.ConditionLine), File, Place.Condition});
+	return Fill(FindBlock("Place"), {Struct, std::to_string(Place.Line), File, Place.Text, Condition}) +
+		   Register(Place.Place->Name, "&Call" + Struct, "&Call" + Struct);
 }
 
 std::vector<const char*> GetComponents(const std::string& Type)
@@ -141,6 +150,14 @@ std::string WriteSetting(const FOverlaySetting& Setting)
 		FindBlock("Setting"), {Setting.Name, Setting.Type, Setting.Default.empty() ? Zero : Setting.Default, Info});
 }
 
+std::string WriteDefault(const FOverlayDefault& Default)
+{
+	const std::string Set = "SetDefaultOf" + Default.Name;
+	return Fill(FindBlock("Default"),
+			   {Set, std::to_string(Default.Line), QuoteForCpp(Default.File), Default.Name, Default.Value}) +
+		   Register(Default.GetPlace(), "&" + Set, "&" + Set);
+}
+
 std::string WriteAccess(const FOverlaySetting& Setting)
 {
 	return Fill(FindBlock("Access"), {Setting.Name, Setting.Type});
@@ -151,9 +168,9 @@ std::string WriteAccess(const FOverlaySetting& Setting)
 FOverlaySource WriteOverlaySource(const FOverlayFolder& Folder)
 {
 	std::set<std::string> Headers;
-	for (const FPassFunction* const Pass : Folder.Passes)
+	for (const FOverlayPass& Pass : Folder.Passes)
 	{
-		Headers.insert(Pass->Header);
+		Headers.insert(Pass.Function->Header);
 	}
 	for (const FOverlayPlace& Place : Folder.Places)
 	{
@@ -183,13 +200,17 @@ FOverlaySource WriteOverlaySource(const FOverlayFolder& Folder)
 		Text += WriteSetting(Setting);
 		Access += WriteAccess(Setting);
 	}
-	for (const FPassFunction* const Pass : Folder.Passes)
+	for (const FOverlayPass& Pass : Folder.Passes)
 	{
-		Text += WritePass(*Pass);
+		Text += WritePass(*Pass.Function);
 	}
 	for (const FOverlayPlace& Place : Folder.Places)
 	{
 		Text += WritePlace(Place);
+	}
+	for (const FOverlayDefault& Default : Folder.Defaults)
+	{
+		Text += WriteDefault(Default);
 	}
 	Text += "} // namespace\n\n" + Access;
 	for (const std::string& Enum : Folder.EnumTexts)

@@ -1,13 +1,17 @@
 // Orders overlays, finds clashes, builds, and switches them on.
 #include "Overlay/Overlays.h"
 
+#include "CodeScope.h"
 #include "Config/ConfigReader.h"
 #include "ContentHash.h"
 #include "Overlay/OverlayErrors.h"
+#include "Overlay/OverlayShaders.h"
 #include "Overlay/OverlaySource.h"
 #include "Patch/PluginBuild.h"
+#include "PrintText.h"
 #include "RangeTools.h"
 #include "ShaderDirectories.h"
+#include "Text/FolderLock.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
 
@@ -17,6 +21,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace Drydock
 {
@@ -26,9 +31,54 @@ namespace
 
 namespace Files = std::filesystem;
 
-/** Moves each overlay behind those that it stands over. A circle keeps the order of the config. */
-std::vector<size_t> OrderOverlays(const std::vector<FConfigOverlay>& Overlays)
+/** The folder that a name means, in one spelling. */
+std::string GetPlace(const FConfig& Config, const std::string& Folder)
 {
+	return (Files::absolute(Config.Resolve(Folder)) / ".").lexically_normal().string();
+}
+
+/** The overlay of that folder; the number of overlays: there is none. */
+size_t FindOverlay(const FConfig& Config, const std::string& Folder)
+{
+	const auto Found = std::find_if(Config.Overlays.begin(), Config.Overlays.end(),
+		[&](const FConfigOverlay& Overlay)
+		{ return GetPlace(Config, Overlay.Folder.Value) == GetPlace(Config, Folder); });
+	return static_cast<size_t>(Found - Config.Overlays.begin());
+}
+
+/** Reports overlays without a name, named twice, or over one that is not there. */
+void CheckNames(const FConfig& Config, FConfigMessages& Messages)
+{
+	const std::vector<FConfigOverlay>& Overlays = Config.Overlays;
+	const std::vector<std::string> Names =
+		ToVector<std::string>(Overlays, [](const FConfigOverlay& Overlay) { return Overlay.Folder.Value; });
+	for (size_t Index = 0; Index < Overlays.size(); ++Index)
+	{
+		const TConfigValue<std::string>& Folder = Overlays[Index].Folder;
+		if (Folder.Value.empty())
+		{
+			Messages.Error(ErrorOverlayFolder, Folder.Place, "an overlay needs the name of its folder");
+		}
+		else if (FindOverlay(Config, Folder.Value) != Index)
+		{
+			Messages.Error(ErrorOverlaysClash, Folder.Place, "the overlay " + Folder.Value + " is named twice");
+		}
+		for (const std::string& Below : Overlays[Index].Over)
+		{
+			if (FindOverlay(Config, Below) == Overlays.size())
+			{
+				Messages.Error(ErrorOverlaysClash, Folder.Place,
+					"there is no overlay \"" + Below + "\" that " + Folder.Value + " could stand over" +
+						Messages.Suggest(Below, Names));
+			}
+		}
+	}
+}
+
+/** Moves each overlay behind those that it stands over. A circle is reported. */
+std::vector<size_t> OrderOverlays(const FConfig& Config, FConfigMessages& Messages)
+{
+	const std::vector<FConfigOverlay>& Overlays = Config.Overlays;
 	std::vector<size_t> Ordered;
 	std::vector<bool> Taken(Overlays.size(), false);
 	const auto IsFree = [&](size_t Index)
@@ -36,9 +86,8 @@ std::vector<size_t> OrderOverlays(const std::vector<FConfigOverlay>& Overlays)
 		return std::all_of(Overlays[Index].Over.begin(), Overlays[Index].Over.end(),
 			[&](const std::string& Below)
 			{
-				const auto Found = std::find_if(Overlays.begin(), Overlays.end(),
-					[&](const FConfigOverlay& Other) { return Other.Folder.Value == Below; });
-				return Found == Overlays.end() || Taken[static_cast<size_t>(Found - Overlays.begin())];
+				const size_t Found = FindOverlay(Config, Below);
+				return Found == Overlays.size() || Taken[Found];
 			});
 	};
 	while (Ordered.size() < Overlays.size())
@@ -51,6 +100,9 @@ std::vector<size_t> OrderOverlays(const std::vector<FConfigOverlay>& Overlays)
 		if (Next == Overlays.size())
 		{
 			Next = static_cast<size_t>(std::find(Taken.begin(), Taken.end(), false) - Taken.begin());
+			Messages.Error(ErrorOverlaysClash, Overlays[Next].Folder.Place,
+				"the overlay " + Overlays[Next].Folder.Value + " and " + Overlays[Next].Over.front() +
+					" stand over each other; expected one of them below");
 		}
 		Taken[Next] = true;
 		Ordered.push_back(Next);
@@ -59,8 +111,8 @@ std::vector<size_t> OrderOverlays(const std::vector<FConfigOverlay>& Overlays)
 }
 
 /** Names what two overlays fill, where neither says that it stands over the other. */
-void CheckClashes(
-	const std::vector<FConfigOverlay>& Overlays, const std::vector<FOverlayFolder>& Folders, FConfigMessages& Messages)
+void CheckClashes(const FConfig& Config, const std::vector<FConfigOverlay>& Overlays,
+	const std::vector<FOverlayFolder>& Folders, FConfigMessages& Messages)
 {
 	std::map<std::string, size_t> Filled;
 	for (size_t Index = 0; Index < Folders.size(); ++Index)
@@ -70,7 +122,9 @@ void CheckClashes(
 			const auto [Known, bNew] = Filled.try_emplace(Name, Index);
 			const std::vector<std::string>& Over = Overlays[Index].Over;
 			const std::string& Below = Overlays[Known->second].Folder.Value;
-			if (!bNew && std::find(Over.begin(), Over.end(), Below) == Over.end())
+			const bool bOver = std::any_of(Over.begin(), Over.end(),
+				[&](const std::string& Each) { return GetPlace(Config, Each) == GetPlace(Config, Below); });
+			if (!bNew && !bOver)
 			{
 				Messages.Error(ErrorOverlaysClash, Overlays[Index].Folder.Place,
 					"the overlays " + Folders[Known->second].Name + " and " + Folders[Index].Name + " both replace " +
@@ -91,30 +145,6 @@ std::string GetOwnIdentity()
 	const Files::path File = bFound && Info.dli_fname != nullptr ? Info.dli_fname : "";
 	return File.string() + " " + std::to_string(Files::file_size(File, Error)) + " " +
 		   std::to_string(Files::last_write_time(File, Error).time_since_epoch().count());
-}
-
-/** A line for each overlay: its name and what it replaces. */
-std::vector<std::string> DescribeOverlays(const std::vector<FOverlayFolder>& Folders)
-{
-	std::map<std::string, std::string> Last;
-	for (const FOverlayFolder& Folder : Folders)
-	{
-		for (const std::string& Name : Folder.ListReplaced())
-		{
-			Last[Name] = Folder.Name;
-		}
-	}
-	std::vector<std::string> Lines;
-	for (const FOverlayFolder& Folder : Folders)
-	{
-		std::vector<std::string> Names;
-		for (const std::string& Name : Folder.ListReplaced())
-		{
-			Names.push_back(Last[Name] == Folder.Name ? Name : Name + " (" + Last[Name] + " stands over it)");
-		}
-		Lines.push_back("the overlay " + Folder.Name + " stands in for " + JoinText(Names));
-	}
-	return Lines;
 }
 
 /** Covers everything that the library is made from. */
@@ -152,7 +182,11 @@ std::string BuildOverlay(const FOverlayFolder& Folder, int EngineMinor)
 	Build.Folder = Folder.Path;
 	Build.Name = FindPluginName(Folder.Path);
 	Build.EngineMinor = EngineMinor;
-	Build.BuildFolder = Files::absolute("build/overlay/" + Build.Name).string();
+	// Overlays whose folders bear one name, and engine versions, do not take turns in one folder.
+	FContentHash Place;
+	Place.Add(Folder.Path);
+	Place.Add(std::to_string(EngineMinor));
+	Build.BuildFolder = Files::absolute("build/overlay/" + Build.Name + "." + Place.Finish().substr(0, 8)).string();
 	const std::string Made = Build.BuildFolder + "/made";
 	Build.Sources = Folder.Sources;
 	Build.Sources.push_back(Made + "/Connections.cpp");
@@ -166,16 +200,18 @@ std::string BuildOverlay(const FOverlayFolder& Folder, int EngineMinor)
 	const std::string StampFile = Build.BuildFolder + "/built.sha256";
 	const std::string Stamp = HashOfBuild(Folder, Source, Build) + "\n";
 	std::error_code Error;
+	const FFolderLock Lock(Build.BuildFolder, std::chrono::seconds(Build.TimeLimitSeconds));
 	if (TryReadTextFile(StampFile) == Stamp && Files::exists(Library, Error))
 	{
-		return Library;
+		return Files::canonical(Library).string();
 	}
+	PrintText(stderr, "building the C++ of the overlay " + Folder.Name + "\n");
 	WriteIfNew(Made + "/Connections.cpp", Source.Connections);
 	WriteIfNew(Made + "/Settings.inl", Source.Members);
 	WriteIfNew(Made + "/Types.inl", Source.Types);
 	BuildPlugin(Build);
 	WriteTextFile(StampFile, Stamp);
-	return Library;
+	return Files::canonical(Library).string();
 }
 
 } // namespace
@@ -186,7 +222,13 @@ FOverlaysOfRun PrepareOverlays(const FConfig& Config, bool bRefuseCode, std::vec
 	std::vector<FConfigOverlay> Ordered;
 	FConfigMessages Messages(Config.File, Diagnostics);
 	const size_t Before = Diagnostics.size();
-	for (const size_t Index : OrderOverlays(Config.Overlays))
+	CheckNames(Config, Messages);
+	const std::vector<size_t> Order = OrderOverlays(Config, Messages);
+	if (Diagnostics.size() != Before)
+	{
+		return Overlays;
+	}
+	for (const size_t Index : Order)
 	{
 		const FConfigOverlay& Overlay = Config.Overlays[Index];
 		Ordered.push_back(Overlay);
@@ -197,43 +239,112 @@ FOverlaysOfRun PrepareOverlays(const FConfig& Config, bool bRefuseCode, std::vec
 				"the overlay " + Overlay.Folder.Value + " has C++, which is not compiled: --no-plugins was given");
 		}
 	}
-	CheckClashes(Ordered, Overlays.Folders, Messages);
-	if (Diagnostics.size() != Before)
+	CheckClashes(Config, Ordered, Overlays.Folders, Messages);
+	if (HasErrors(Diagnostics))
 	{
 		return Overlays;
 	}
-	const std::vector<std::string> Lines = DescribeOverlays(Overlays.Folders);
-	for (size_t Index = 0; Index < Ordered.size(); ++Index)
+	for (FOverlayFolder& Folder : Overlays.Folders)
 	{
-		const FOverlayFolder& Folder = Overlays.Folders[Index];
-		const auto Note = [&](EOverlayError Code, const std::string& Message)
-		{
-			Diagnostics.push_back({ESeverity::Note, Code, Message, Ordered[Index].Folder.Value, 0, 0, {}});
-		};
-		Note(NoteOverlay, Lines[Index]);
-		if (!Folder.Unused.empty())
-		{
-			Note(NoteOverlayUnused, "nothing here reads these files of the overlay: " + JoinText(Folder.Unused));
-		}
-		if (Folder.HasCode())
-		{
-			Overlays.Libraries.push_back(BuildOverlay(Folder, Config.GetEngineProfile().Minor));
-		}
+		Folder.Library = Folder.HasCode() ? BuildOverlay(Folder, Config.GetEngineProfile().Minor) : "";
 	}
 	return Overlays;
 }
 
+void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::vector<FDiagnostic>& Diagnostics)
+{
+	const FScopedOverlays Active(Overlays); // which the files that shaders include depend on
+	const std::set<std::string> Read = ListReadShaders(Config);
+	std::map<std::string, const FOverlayFolder*> Last;
+	for (const FOverlayFolder& Folder : Overlays.Folders)
+	{
+		for (const std::string& Name : Folder.ListReplaced())
+		{
+			Last[Name] = &Folder;
+		}
+	}
+	for (const FOverlayFolder& Folder : Overlays.Folders)
+	{
+		const std::vector<std::string> Filled = ListPassReplacements(Folder.Library);
+		std::vector<std::string> Unread = Folder.Unused;
+		std::set<std::string> Missing;
+		for (const FOverlayPass& Pass : Folder.Passes)
+		{
+			if (std::find(Filled.begin(), Filled.end(), Pass.Function->Name) == Filled.end())
+			{
+				Missing.insert(Pass.Function->Name);
+				Diagnostics.push_back({.Code = ErrorOverlayPlace,
+					.Message = std::string(Pass.Function->Name) +
+							   " does not stand in for drydock's: expected the function " +
+							   Pass.Function->GetSignature() +
+							   ", outside of namespaces and of #if blocks that are off, in a header, too",
+					.File = Pass.File,
+					.Line = Pass.Line});
+			}
+		}
+		std::vector<std::string> Names;
+		for (const std::string& Name : Folder.ListReplaced())
+		{
+			if (Name.starts_with('/') && !Read.contains(ToLowerCase(Name)))
+			{
+				const std::string Near = FindNearestShaderFile(Name);
+				const bool bNear = !Near.empty() && ToLowerCase(Near) != ToLowerCase(Name);
+				Unread.push_back(Name + (bNear ? " (did you mean " + Near + "?)" : " (no shader reads it)"));
+				continue;
+			}
+			const auto Default = std::find_if(Folder.Defaults.begin(), Folder.Defaults.end(),
+				[&](const FOverlayDefault& Each) { return Each.GetPlace() == Name; });
+			const FSettingField* const Field =
+				Default != Folder.Defaults.end() ? FindSettingField(Default->Name) : nullptr;
+			if (Missing.contains(Name) || (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default))
+			{
+				continue; // it does not act, or it is drydock's value
+			}
+			Names.push_back(Last[Name] == &Folder ? Name : Name + " (" + Last[Name]->Name + " stands over it)");
+		}
+		const auto Note = [&](EOverlayError Code, const std::string& Message)
+		{
+			Diagnostics.push_back({.Severity = ESeverity::Note, .Code = Code, .Message = Message});
+		};
+		Note(NoteOverlay,
+			"the overlay " + Folder.Name + " stands in for " + (Names.empty() ? "nothing" : JoinText(Names)));
+		if (!Unread.empty())
+		{
+			Note(NoteOverlayUnused,
+				"nothing here reads these files of the overlay " + Folder.Name + ": " + JoinText(Unread));
+		}
+	}
+}
+
 FScopedOverlays::FScopedOverlays(const FOverlaysOfRun& Overlays)
-	: Replacements(Overlays.Libraries)
+	: Replacements(ToVector<std::string>(Overlays.Folders, &FOverlayFolder::Library))
 {
 	std::vector<std::string> Shaders = ToVector<std::string>(
 		Overlays.Folders, [](const FOverlayFolder& Folder) { return Folder.Path + "/Engine/Shaders"; });
 	ShadersBefore = SetShaderOverlays(std::move(Shaders));
+	for (const FOverlayFolder& Folder : Overlays.Folders)
+	{
+		for (const FOverlayDefault& Default : Folder.Defaults)
+		{
+			FPostProcessSettings Settings;
+			if (const FActiveReplacement* const Set = TakePassReplacement(Default.GetPlace().c_str()))
+			{
+				CallCode(
+					Set->Owner, [&] { reinterpret_cast<void (*)(FPostProcessSettings&)>(Set->Address)(Settings); });
+				DefaultsBefore.emplace_back(
+					Default.Name, SetSettingDefault(Default.Name, FindSettingField(Default.Name)->Get(Settings)));
+			}
+		}
+	}
 }
 
 FScopedOverlays::~FScopedOverlays()
 {
 	SetShaderOverlays(std::move(ShadersBefore));
+	for (auto Before = DefaultsBefore.rbegin(); Before != DefaultsBefore.rend(); ++Before)
+	{
+		SetSettingDefault(Before->first, Before->second);
+	}
 }
 
 } // namespace Drydock

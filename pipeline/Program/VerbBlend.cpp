@@ -72,9 +72,9 @@ int PrintSettingStory(const FBlendOptions& Options)
 	{
 		RunOptions.Location = ParseLocation(Options.At);
 	}
-	const bool bChosen = !Options.Names.empty();
-	const std::vector<size_t> Chosen = FindSettings(Options.Names);
 	const FRunSetup Setup(RunOptions);
+	const bool bChosen = !Options.Names.empty();
+	const std::vector<size_t> Chosen = FindSettings(Options.Names); // those of plugins and overlays among them
 	const FBlendReport Report = MakeBlendReport(Setup, ExplainLocation(Options, Setup.Config));
 	PrintDiagnostics(Report.Diagnostics);
 	const std::string Text = Options.bJson ? MakeBlendJson(Report, bChosen ? Chosen : GetAllSettings())

@@ -25,6 +25,7 @@
 #include <optional>
 #include <set>
 #include <strings.h>
+#include <utility>
 
 namespace Drydock
 {
@@ -222,6 +223,12 @@ int PrintList(const FListOptions& Options)
 			[](const FConsoleVariableInfo& Info) { return *Info.Name; }));
 		return ExitDone;
 	}
+	if (Options.Things == "settings" && Options.Run.ConfigFile.empty() && Options.Filter.ends_with(".json"))
+	{
+		FListOptions OfConfig = Options; // no setting's name has a dot
+		OfConfig.Run.ConfigFile = std::exchange(OfConfig.Filter, "");
+		return PrintSettings(OfConfig);
+	}
 	if (Options.Things == "settings")
 	{
 		return PrintSettings(Options);
@@ -251,7 +258,7 @@ FVerbCall AddListOptions(FVerbOptions& Verb)
 	Verb.Add("THINGS", Options->Things, "Kind of things to list").Require().SetType(GetListTypes());
 	Verb.Add("FILTER", Options->Filter,
 		"List only names that contain this text, ignoring case; with * or ? only names that match it (settings, "
-		"cvars). For hooks: list the chain of this config");
+		"cvars). For hooks: list the chain of this config; for settings: those of this config, too");
 	Verb.Add("--config", Options->Run.ConfigFile,
 			"List the passes of this config's frame, its values of cvars, or the settings of its plugins too")
 		.SetType("CONFIG");

@@ -1,4 +1,5 @@
 // `drydock overlay`: makes an engine overlay to edit, and prints its changes for the engine.
+#include "Config/ReadConfig.h"
 #include "Overlay/OverlayFiles.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
@@ -63,7 +64,8 @@ std::string MakeDifferenceText(
 	Text += FormatHunks(Difference.Hunks);
 	for (const std::string& New : Difference.NewFiles)
 	{
-		Text += "# " + New + ": drydock has no text of this file to compare it with\n";
+		Text +=
+			"# " + New + ": drydock has no text of this file to compare it with, and all of its lines are printed\n";
 	}
 	return Text + (Difference.Hunks.empty() ? "# no line has changed\n" : "");
 }
@@ -87,8 +89,13 @@ std::string MakeDifferenceJson(const FOverlayFolder& Folder, const FOverlayDiffe
 int CompareOverlays(const FOverlayDiffOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
+	if (!Options.Engine.empty())
+	{
+		FConfig OfEngine;
+		SetEngineArgument(OfEngine, Options.Engine, Diagnostics);
+	}
 	const FOverlayFolder Folder = ReadOverlayFolder(Options.Folder, Diagnostics);
-	if (!Diagnostics.empty())
+	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);
 	}

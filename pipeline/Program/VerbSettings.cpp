@@ -1,7 +1,5 @@
 // `drydock settings import` and `export`: turn the engine's paste text into volumes of a config, and back.
-#include "Config/ReadConfig.h"
 #include "Config/SettingsJson.h"
-#include "Extensions/Plugins.h"
 #include "PostProcessSettingsReflection.h"
 #include "PrintText.h"
 #include "Program/ProgramOutput.h"
@@ -113,12 +111,8 @@ std::vector<FVolumeText> CollectVolumes(
 }
 
 /** The settings that volumes and camera override at a location, with their blended values, as one unbound volume. */
-std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
+std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options, const FRunSetup& Setup)
 {
-	FRunOptions RunOptions = Options.Run;
-	RunOptions.ConfigFile = Options.File;
-	RunOptions.Location = ParseLocation(Options.At);
-	const FRunSetup Setup(RunOptions);
 	FVolumeText Volume;
 	Volume.Name = "At " + Options.At;
 	Volume.bUnbound = true;
@@ -132,23 +126,6 @@ std::vector<FVolumeText> BlendVolume(const FSettingsExportOptions& Options)
 		}
 	}
 	return {Volume};
-}
-
-std::vector<FVolumeText> LoadVolumes(const FSettingsExportOptions& Options, std::vector<FDiagnostic>& Diagnostics)
-{
-	const FConfigDocument Document = LoadConfigDocument(Options.File);
-	const FConfig OfPlugins = ReadConfigPlugins(Document);
-	if (!Options.Run.bNoPlugins)
-	{
-		LoadPlugins(OfPlugins, Diagnostics); // they may bring settings
-	}
-	const FConfig Config = ReadConfig(Document, Diagnostics);
-	if (HasErrors(Diagnostics))
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
-	Diagnostics.clear(); // warnings are for those who run it
-	return CollectVolumes(Config, Options, Diagnostics);
 }
 
 int ImportSettings(const FSettingsImportOptions& Options)
@@ -191,8 +168,15 @@ int ExportSettings(const FSettingsExportOptions& Options)
 {
 	std::vector<FDiagnostic> Diagnostics;
 	const ESettingsTextForm Form = Options.bFull ? ESettingsTextForm::Full : ESettingsTextForm::Delta;
+	FRunOptions RunOptions = Options.Run;
+	RunOptions.ConfigFile = Options.File;
+	if (!Options.At.empty())
+	{
+		RunOptions.Location = ParseLocation(Options.At);
+	}
+	const FRunSetup Setup(RunOptions); // its plugins and overlays may bring settings; warnings are for those who run it
 	const std::vector<FVolumeText> Volumes =
-		Options.At.empty() ? LoadVolumes(Options, Diagnostics) : BlendVolume(Options);
+		Options.At.empty() ? CollectVolumes(Setup.Config, Options, Diagnostics) : BlendVolume(Options, Setup);
 	if (HasErrors(Diagnostics))
 	{
 		throw FError(Diagnostics, ExitUsage);

@@ -4,8 +4,10 @@
 #include "CodeScope.h"
 #include "DiagnosticList.h"
 #include "GlobalShader.h"
+#include "Overlay/OverlayShaders.h"
 #include "Run/RunErrors.h"
 #include "Text/Fmt.inl"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <dlfcn.h>
@@ -17,6 +19,9 @@ namespace Drydock
 
 namespace
 {
+
+/** The same of a class of drydock's own that reads an overlay's file: there may be a hundred such classes. */
+constexpr int32 MaxOwnPermutations = 16;
 
 FDiagnostic MakeNote(std::string Message, std::string Where)
 {
@@ -35,16 +40,29 @@ std::string FindPlugin(const FShaderType& Type, const std::vector<std::string>& 
 }
 
 /** Some of many: the step goes on by one within itself, so that the dimensions that vary fastest vary too. */
-std::vector<int32> Thin(const std::vector<int32>& Ids)
+std::vector<int32> Thin(const std::vector<int32>& Ids, size_t Most)
 {
 	std::vector<int32> Some = Ids;
-	const size_t Step = Ids.size() / MaxPermutationsLookedAt;
-	for (size_t Index = 0; Index < MaxPermutationsLookedAt && Step > 0; ++Index)
+	const size_t Step = Ids.size() / Most;
+	for (size_t Index = 0; Index < Most && Step > 0; ++Index)
 	{
 		Some[Index] = Ids[Index * Step + Index % Step];
 	}
-	Some.resize(std::min(Ids.size(), size_t(MaxPermutationsLookedAt)));
+	Some.resize(std::min(Ids.size(), Most));
 	return Some;
+}
+
+/** Whether an overlay has the class's file, or one that this includes. */
+bool ReadsOverlay(const FShaderType& Type, const std::vector<FOverlayFolder>& Overlays)
+{
+	const std::set<std::string> Read =
+		Overlays.empty() ? std::set<std::string>() : ListIncludedShaders(Type.GetShaderFilename());
+	return std::any_of(Overlays.begin(), Overlays.end(),
+		[&](const FOverlayFolder& Overlay)
+		{
+			return std::any_of(Overlay.Shaders.begin(), Overlay.Shaders.end(),
+				[&](const std::string& Shader) { return Read.contains(ToLowerCase(Shader)); });
+		});
 }
 
 /** Whether the pass is one of drydock's own that need no shader: of AddClearUAVPass and its like. */
@@ -63,11 +81,12 @@ std::string Count(size_t Number, const char* One, const char* Many)
 
 std::string FPluginShaders::Describe() const
 {
-	return Count(NumClasses, "shader class", "shader classes") + " of its plugins, " +
+	return Count(NumClasses, "shader class", "shader classes") +
+		   (bOverlaid ? " of its plugins and overlays, " : " of its plugins, ") +
 		   Count(Permutations.size(), "permutation", "permutations");
 }
 
-FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
+FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins, const std::vector<FOverlayFolder>& Overlays)
 {
 	FPluginShaders Found;
 	std::set<std::string> Names;
@@ -75,7 +94,7 @@ FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
 		[&](const FGlobalShaderType& Type)
 		{
 			const std::string Plugin = FindPlugin(Type, Plugins);
-			if (Plugin.empty())
+			if (Plugin.empty() && !ReadsOverlay(Type, Overlays))
 			{
 				return;
 			}
@@ -84,15 +103,23 @@ FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
 			std::vector<int32> Allowed;
 			for (int32 Id = 0; Id < Type.GetPermutationCount(); ++Id)
 			{
-				if (CallCode(Owner, [&] { return Type.ShouldCompilePermutation(Id); }))
+				if (Plugin.empty() ? Type.ShouldCompilePermutation(Id)
+								   : CallCode(Owner, [&] { return Type.ShouldCompilePermutation(Id); }))
 				{
 					Allowed.push_back(Id);
 				}
 			}
-			const std::vector<int32> Looked = Thin(Allowed);
+			const std::vector<int32> Looked =
+				Thin(Allowed, Plugin.empty() ? MaxOwnPermutations : MaxPermutationsLookedAt);
 			for (const int32 Id : Looked)
 			{
 				Found.Permutations.push_back(FShaderRef(Type.FindOrCreateShader(Id)));
+			}
+			++Found.NumClasses;
+			if (Plugin.empty())
+			{
+				Found.bOverlaid = true;
+				return;
 			}
 			if (Looked.size() < Allowed.size())
 			{
@@ -101,7 +128,6 @@ FPluginShaders FindPluginShaders(const std::vector<std::string>& Plugins)
 												   Allowed.size() - Looked.size(), Allowed.size(), Looked.size()),
 					fmt::format("plugin {}, shader class {}", Name, Type.GetName())));
 			}
-			++Found.NumClasses;
 			Names.insert(Name);
 		});
 	Found.Plugins.assign(Names.begin(), Names.end());

@@ -6,6 +6,7 @@
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
+#include "Run/OverlayUse.h"
 #include "Run/PreExposure.h"
 #include "Run/RunDump.h"
 #include "Run/RunJson.h"
@@ -255,6 +256,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 {
 	FRunObserver Observer(Options, Setup, Scene, Result);
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
+	TakeUncalledReplacements(); // of the frame before
 	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result);
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
@@ -320,6 +322,7 @@ FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBefo
 			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
 			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
 		}
+		AddNewDiagnostics(Result.Diagnostics, FindUnusedOfOverlays(Setup.Overlays, TakeUncalledReplacements(), Result));
 		Rendered.NonFiniteInFile = Scene.GetNonFinite();
 		return Rendered;
 	}
@@ -444,7 +447,7 @@ FCheckResult CheckRun(const FRunOptions& Options)
 			ExitCode = ExitCode == ExitDone ? Error.GetExitCode() : ExitCode;
 		}
 	};
-	Collect([&] { Check.Shaders = FindPluginShaders(Setup.Plugins); });
+	Collect([&] { Check.Shaders = FindPluginShaders(Setup.Plugins, Setup.Overlays); });
 	Collect(
 		[&]
 		{

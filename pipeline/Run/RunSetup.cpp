@@ -202,9 +202,12 @@ FPluginsOfRun LoadPluginsOfRun(const FConfigDocument& Document, const FRunOption
 			SetEngineArgument(Config, Options.Engine, Plugins.Diagnostics);
 		}
 		Plugins.Overlays = PrepareOverlays(Config, Options.bNoPlugins, Plugins.Diagnostics);
-		for (const std::string& Library : Plugins.Overlays.Libraries)
+		for (const FOverlayFolder& Folder : Plugins.Overlays.Folders)
 		{
-			Config.Plugins.push_back({Library, {0, 0, "/overlay"}});
+			if (!Folder.Library.empty())
+			{
+				Config.Plugins.push_back({Folder.Library, {0, 0, "/overlay"}});
+			}
 		}
 	}
 	if (Options.bNoPlugins)
@@ -214,6 +217,10 @@ FPluginsOfRun LoadPluginsOfRun(const FConfigDocument& Document, const FRunOption
 	else
 	{
 		Plugins.Loaded = LoadPlugins(Config, Plugins.Diagnostics);
+	}
+	if (!Plugins.Overlays.Folders.empty() && !HasErrors(Plugins.Diagnostics))
+	{
+		ReportOverlays(Config, Plugins.Overlays, Plugins.Diagnostics);
 	}
 	return Plugins;
 }

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <string>
+#include <thread>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -74,7 +75,7 @@ std::string DescribeOwner(int File)
 
 } // namespace
 
-FFolderLock::FFolderLock(const Files::path& InFolder)
+FFolderLock::FFolderLock(const Files::path& InFolder, std::chrono::seconds Wait)
 	: Folder(InFolder)
 	, Path(InFolder / ".drydock.lock")
 	, Removal(
@@ -88,10 +89,11 @@ FFolderLock::FFolderLock(const Files::path& InFolder)
 		  })
 {
 	constexpr int MostTries = 100; // each time somebody else has just ended
-	for (int Try = 0; Try < MostTries; ++Try)
+	const auto WaitEnd = std::chrono::steady_clock::now() + Wait;
+	for (int Try = 0; Try < MostTries || std::chrono::steady_clock::now() < WaitEnd; ++Try)
 	{
 		MakeFolders();
-		if (TryLock())
+		if (TryLock(WaitEnd))
 		{
 			return;
 		}
@@ -123,7 +125,7 @@ void FFolderLock::MakeFolders()
 	Made.insert(Made.end(), Missing.begin(), Missing.end());
 }
 
-bool FFolderLock::TryLock()
+bool FFolderLock::TryLock(std::chrono::steady_clock::time_point WaitEnd)
 {
 	const FEndActionsHeld Held;
 	const int Opened = open(Path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
@@ -149,6 +151,11 @@ bool FFolderLock::TryLock()
 		}
 		const std::string Owner = DescribeOwner(Opened);
 		close(Opened);
+		if (std::chrono::steady_clock::now() < WaitEnd)
+		{
+			std::this_thread::sleep_for(std::chrono::milliseconds(50));
+			return false;
+		}
 		RemoveEmpty(Made);
 		throw FError({.Code = ErrorFolderInUse,
 						 .Message = Owner + " is writing to this folder: wait for it, or name another with --out",

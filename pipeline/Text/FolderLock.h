@@ -5,6 +5,7 @@
 #include "EndAction.h"
 #include "Templates/UnrealTemplate.h"
 
+#include <chrono>
 #include <filesystem>
 #include <list>
 
@@ -16,16 +17,16 @@ namespace Drydock
 class DRYDOCK_API FFolderLock : private FNoncopyable
 {
 public:
-	/** Makes the folder where there is none. Throws FError (exit code 3): another process has it (DD5021, with its
-	 * number), or it cannot be written. */
-	explicit FFolderLock(const std::filesystem::path& InFolder);
+	/** Makes the folder where there is none. Wait: for another process that has it. Throws FError (exit code 3):
+	 * another process still has it (DD5021, with its number), or it cannot be written. */
+	explicit FFolderLock(const std::filesystem::path& InFolder, std::chrono::seconds Wait = {});
 	/** Folders that it made and that hold nothing go, too. */
 	~FFolderLock();
 
 private:
 	void MakeFolders();
 	/** False: another process has taken folder or lock away meanwhile, so try again. */
-	bool TryLock();
+	bool TryLock(std::chrono::steady_clock::time_point WaitEnd);
 
 	const std::filesystem::path Folder;
 	const std::filesystem::path Path;

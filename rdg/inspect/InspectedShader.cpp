@@ -120,6 +120,10 @@ FInspectedShader::FInspectedShader(
 			{ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "entry point " + Request.EntryPoint},
 			ExitUsage);
 	}
+	for (const std::string& File : Module.Files)
+	{
+		FilesOnDisk.emplace(File, FindShaderFile(File));
+	}
 }
 
 std::string FInspectedShader::GetLine(const std::string& File, int Line) const
@@ -127,7 +131,8 @@ std::string FInspectedShader::GetLine(const std::string& File, int Line) const
 	const auto [Found, bNew] = Texts.try_emplace(File);
 	if (bNew)
 	{
-		FRegularFile OnDisk(FindShaderFile(File));
+		const auto Known = FilesOnDisk.find(File);
+		FRegularFile OnDisk(Known != FilesOnDisk.end() ? Known->second : FindShaderFile(File));
 		std::string Bytes(OnDisk.GetProblem().empty() ? std::min<size_t>(OnDisk.GetSize(), MaxTextBytes) : 0, '\0');
 		Bytes.resize(OnDisk.Read(Bytes.data(), Bytes.size()));
 		Found->second = SplitText(NormalizeShaderText(Bytes));

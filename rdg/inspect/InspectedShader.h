@@ -55,6 +55,7 @@ private:
 	uint32_t WaveSize = GDefaultWaveSize;
 	std::vector<std::string> Strings;
 	bool bVariables = true;
+	std::map<std::string, std::string> FilesOnDisk;                // by virtual file, as overlays had them
 	mutable std::map<std::string, std::vector<std::string>> Texts; // lines by virtual file
 };
 

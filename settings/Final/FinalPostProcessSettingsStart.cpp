@@ -100,6 +100,7 @@ FFinalPostProcessSettings StartFinalPostProcessSettings(FBlendLedger* Ledger, co
 {
 	FFinalPostProcessSettings Settings;
 	const std::vector<FSettingField>& Fields = GetSettingFields();
+	StartWithDefaults(Settings);
 	for (size_t Index = 0; Ledger != nullptr && Index < Fields.size(); ++Index)
 	{
 		const FSettingValue& Default = Fields[Index].Default;

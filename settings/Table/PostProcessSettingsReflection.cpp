@@ -5,6 +5,7 @@
 #include "RangeTools.h"
 
 #include <algorithm>
+#include <utility>
 #include <limits>
 
 namespace Drydock
@@ -149,6 +150,23 @@ const FSettingField* FindSettingField(const std::string& Name)
 	const std::vector<FSettingField>& Fields = GetSettingFields();
 	const auto Found = std::ranges::find(Fields, Name, &FSettingField::Name);
 	return Found == Fields.end() ? nullptr : &*Found;
+}
+
+FSettingValue SetSettingDefault(const std::string& Name, const FSettingValue& Value)
+{
+	std::vector<FSettingField>& Fields = GetMutableSettingFields();
+	return std::exchange(std::ranges::find(Fields, Name, &FSettingField::Name)->Default, Value);
+}
+
+void StartWithDefaults(FPostProcessSettings& Settings)
+{
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		if (Field.AddedId == 0 && !(Field.Get(Settings) == Field.Default))
+		{
+			Field.Set(Settings, Field.Default);
+		}
+	}
 }
 
 const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName)

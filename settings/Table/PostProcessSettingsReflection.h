@@ -78,6 +78,12 @@ DRYDOCK_API const FSettingField* FindSettingField(const std::string& Name);
 /** The field of an override bit's whole name, such as "bOverride_BloomIntensity"; null when there is none. */
 DRYDOCK_API const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName);
 
+/** Gives a field another default, with which every view begins. Returns the one of before. */
+DRYDOCK_API FSettingValue SetSettingDefault(const std::string& Name, const FSettingValue& Value);
+
+/** Puts defaults that were changed so into new settings. */
+DRYDOCK_API void StartWithDefaults(FPostProcessSettings& Settings);
+
 /** Names of all fields, for suggestions. */
 DRYDOCK_API std::vector<std::string> GetSettingNames();
 

@@ -234,8 +234,9 @@ std::vector<FSettingPlace> MakeSettingPlan(const std::vector<FNewSetting>& Setti
 		AddPlaces(FSettingWords(Setting, Form), Places);
 	}
 	std::vector<FSettingPlace> Plan;
-	for (const auto& [Number, Place] : Places)
+	for (const auto& Each : Places)
 	{
+		const FSettingPlace& Place = Each.second;
 		const auto Last = std::find_if(
 			Plan.rbegin(), Plan.rend(), [&](const FSettingPlace& Other) { return Other.File == Place.File; });
 		Plan.insert(Last == Plan.rend() ? Plan.end() : Last.base(), Place);

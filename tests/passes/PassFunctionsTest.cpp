@@ -69,8 +69,10 @@ FScreenPassTexture ReplacedDownsample(FRDGBuilder&, const FViewInfo&, const void
 	return GSeen.SceneColor;
 }
 
-const FPassReplacement GLUT("AddCombineLUTPass", reinterpret_cast<FAnyFunction>(&ReplacedLUT));
-const FPassReplacement GDownsample("AddDownsamplePass", reinterpret_cast<FAnyFunction>(&ReplacedDownsample));
+const FPassReplacement GLUT(
+	"AddCombineLUTPass", reinterpret_cast<FAnyFunction>(&ReplacedLUT), reinterpret_cast<FAnyFunction>(&ReplacedLUT));
+const FPassReplacement GDownsample("AddDownsamplePass", reinterpret_cast<FAnyFunction>(&ReplacedDownsample),
+	reinterpret_cast<FAnyFunction>(&ReplacedDownsample));
 
 } // namespace
 

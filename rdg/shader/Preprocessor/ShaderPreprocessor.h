@@ -20,7 +20,7 @@ struct FShaderInclude
 };
 
 /** "A.ush" of the line `#include "A.ush"`; empty: the line has another directive or none, or names a macro. */
-std::string FindQuotedInclude(const std::string& Line);
+DRYDOCK_API std::string FindQuotedInclude(const std::string& Line);
 
 class DRYDOCK_API FShaderPreprocessor
 {

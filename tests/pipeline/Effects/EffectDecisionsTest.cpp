@@ -143,7 +143,7 @@ TEST(EffectDecisions, ToonBloomIsZeroWhereTheDefaultFeatureIsOffAndOnlyBloomIsBr
 	const FEffectDecision ToonBloom = Decision(Unbound(R"("BloomIntensity": 1, "BloomThreshold": 0)"), "ToonBloom");
 	EXPECT_TRUE(ToonBloom.bActive);
 	EXPECT_TRUE(ToonBloom.bConfigured);
-	EXPECT_EQ("BloomToonIntensity is 0, not its default though nothing names it", ToonBloom.Reason);
+	EXPECT_EQ("BloomToonIntensity is 0, though nothing names it", ToonBloom.Reason);
 }
 
 TEST(EffectDecisions, ToonBloomIsNotMissedWhereBloomIsOff)

@@ -153,10 +153,12 @@ TEST_F(PlantedFaults, SwappedChannelsAreWhereTwoRunsPart)
 	Drydock::WriteExr((Folder.Path / "scene.exr").string(), Scene, {"R", "G", "B"});
 	const FOutcome Outcome = Folder.Call("probe " + Common(8) + "2,3 --against r.PlantedFaults=0");
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
-	EXPECT_THAT(Outcome.Printed, HasSubstr("\nPlantedFaults  (FPlantedFaultsPS)\n"
-										   "   reads Source 2,3 = (0.25, 0.5, 0.75, 1) (RGBA16_FLOAT): 2,3\n"
-										   "   SV_Target0 2,3 = (0.75, 0.5, 0.25, 1) (RGBA16_FLOAT)\n"
-										   "   < here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)"));
+	EXPECT_THAT(Outcome.Printed,
+		HasSubstr(
+			"\nPlantedFaults  (FPlantedFaultsPS)\n"
+			"   reads Source 2,3 = (0.25, 0.5, 0.75, 1) (RGBA16_FLOAT) at the pixel, read: 2,3 = (0.25, 0.5, 0.75, 1)\n"
+			"   SV_Target0 2,3 = (0.75, 0.5, 0.25, 1) (RGBA16_FLOAT)\n"
+			"   < here they part; against it SV_Target0 2,3 = (0.25, 0.5, 0.75, 1)"));
 }
 
 TEST_F(PlantedFaults, TheProbeShowsTheTexelAtThePixelInATextureOfAnotherSize)
@@ -174,7 +176,7 @@ TEST_F(PlantedFaults, TheProbeShowsTheTexelAtThePixelInATextureOfAnotherSize)
 	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
 	EXPECT_THAT(Outcome.Printed, HasSubstr("pixel 5,2 of 8 x 4\n"));
 	// 5 of 8 columns is 2 of 4, and 2 of 4 rows is 1 of 2: the square of the value 2 + 4.
-	EXPECT_THAT(Outcome.Printed, HasSubstr("Texture 5,2 = (6, 6, 6, 1) (RGBA16_FLOAT): "));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Texture 5,2 = (6, 6, 6, 1) (RGBA16_FLOAT) at the pixel, read: "));
 	EXPECT_THAT(Outcome.Printed, HasSubstr("Texture 2,1 of 4 x 2 = (6, 6, 6, "));
 	const FOutcome Json = Folder.Call("probe half.json 5,2 --json --pass 'UnityBloom*'");
 	EXPECT_THAT(

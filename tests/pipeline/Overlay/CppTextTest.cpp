@@ -32,12 +32,12 @@ TEST(CppText, BracketsArePaired)
 
 TEST(CppText, DefinitionsAreToldFromCalls)
 {
-	EXPECT_TRUE(DefinesFunction("FScreenPassTexture AddTonemapPass(\n\tFRDGBuilder& A)\n{\n}", "AddTonemapPass"));
-	EXPECT_FALSE(DefinesFunction("FScreenPassTexture AddTonemapPass(FRDGBuilder& A);", "AddTonemapPass"));
-	EXPECT_FALSE(DefinesFunction("return AddTonemapPass(A, B);", "AddTonemapPass"));
-	EXPECT_FALSE(DefinesFunction("int AddTonemapPasses() {}", "AddTonemapPass"));
-	EXPECT_TRUE(DefinesFunction("namespace DiaphragmDOF { int AddPasses(int) { } }", "DiaphragmDOF::AddPasses"));
-	EXPECT_FALSE(DefinesFunction("int AddPasses(int) { }", "DiaphragmDOF::AddPasses"));
+	EXPECT_TRUE(FindDefinition("FScreenPassTexture AddTonemapPass(\n\tFRDGBuilder& A)\n{\n}", "AddTonemapPass"));
+	EXPECT_FALSE(FindDefinition("FScreenPassTexture AddTonemapPass(FRDGBuilder& A);", "AddTonemapPass"));
+	EXPECT_FALSE(FindDefinition("return AddTonemapPass(A, B);", "AddTonemapPass"));
+	EXPECT_FALSE(FindDefinition("int AddTonemapPasses() {}", "AddTonemapPass"));
+	EXPECT_TRUE(FindDefinition("namespace DiaphragmDOF { int AddPasses(int) { } }", "DiaphragmDOF::AddPasses"));
+	EXPECT_FALSE(FindDefinition("int AddPasses(int) { }", "DiaphragmDOF::AddPasses"));
 }
 
 TEST(CppText, LinesAreCountedFromOne)

@@ -62,9 +62,11 @@ TEST_F(OverlayFolder, FilesAreKnownByTheirPlacesInTheEnginesTree)
 	EXPECT_THAT(Found.Shaders, ElementsAre("/Engine/Private/PostProcessBloom.usf", "/Engine/Public/Mine.ush"));
 	EXPECT_THAT(Found.Sources, ElementsAre(HasSubstr("PostProcessTonemap.cpp")));
 	ASSERT_EQ(1u, Found.Passes.size());
-	EXPECT_STREQ("AddTonemapPass", Found.Passes[0]->Name);
+	EXPECT_STREQ("AddTonemapPass", Found.Passes[0].Function->Name);
+	EXPECT_EQ(2, Found.Passes[0].Line);
 	EXPECT_THAT(Found.IncludeFolders, ElementsAre(HasSubstr("Private"), HasSubstr("Private/PostProcess")));
-	EXPECT_THAT(Found.Unused, ElementsAre("Engine/Plugins/Other.cpp"));
+	EXPECT_THAT(Found.Unused,
+		ElementsAre(HasSubstr("Engine/Plugins/Other.cpp (C++ is read below Engine/Source/Runtime/Renderer/Private)")));
 	ASSERT_EQ(1u, Found.Places.size());
 	EXPECT_EQ(6, Found.Places[0].Line);
 	EXPECT_TRUE(Found.Places[0].Text.starts_with("if (bBloomSetupRequiredEnabled)\n\t{"));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Overlay/OverlayFiles.h"
 #include "OverlayTestUtils.h"
 #include "pipeline/ProgramTestUtils.h"
 
@@ -158,6 +159,53 @@ TEST(OverlayRun, ANewOverlayGivesTheSameBitsUntilItIsEdited)
 	EXPECT_THAT(Stack.Printed, HasSubstr("/Engine/Private/PostProcessBloom.usf (Only stands over it)"));
 }
 
+TEST(OverlayRun, ANewOverlaysConfigCallsItsPass)
+{
+	const FProgramFolder Folder("overlay_passes");
+	const std::vector<std::string> Passes = Drydock::ListOverlayPasses();
+	ASSERT_GE(Passes.size(), 13u);
+	for (const std::string& Pass : Passes)
+	{
+		ASSERT_EQ(0, Folder.Call("overlay new Of" + Pass + " --pass " + Pass).ExitCode);
+		const FOutcome Run = Folder.Call("run Of" + Pass + "/Of" + Pass + ".json");
+		EXPECT_EQ(0, Run.ExitCode) << Run.Printed;
+		EXPECT_THAT(Run.Printed, HasSubstr("the overlay Of" + Pass + " stands in for /Engine/Private/"));
+		EXPECT_THAT(Run.Printed, Not(HasSubstr("DD1135")));
+		EXPECT_THAT(Run.Printed, Not(HasSubstr("DD1137"))) << Pass;
+	}
+}
+
+TEST(OverlayRun, ADifferenceIsWhatAPersonCarriesOver)
+{
+	const FProgramFolder Folder("overlay_diff");
+	ASSERT_EQ(0, Folder.Call("overlay new MyPatch --pass BloomSetup").ExitCode);
+	const std::string File = "MyPatch/" + Renderer + "PostProcessBloomSetup.cpp";
+	const std::string Text = Folder.Read(File);
+
+	// The ends of lines and the mark of an editor do not count as changes.
+	std::string Windows = "\xef\xbb\xbf" + Text;
+	for (size_t At = Windows.find('\n'); At != std::string::npos; At = Windows.find('\n', At + 2))
+	{
+		Windows.replace(At, 1, "\r\n");
+	}
+	Folder.Write(File, Windows);
+	EXPECT_THAT(Folder.Call("overlay diff MyPatch").Printed, HasSubstr("# no line has changed\n"));
+
+	// A comment that names drydock is not its code; a struct of parameters has a name.
+	std::string Edited = Text;
+	const std::string Member = "\tSHADER_PARAMETER(float, BloomThreshold)\n";
+	Edited.insert(Edited.find(Member), "\tSHADER_PARAMETER(float, Dusk) // drydock's own scale\n");
+	Folder.Write(File, Edited);
+	Folder.Write("MyPatch/" + SceneSource, "\tDuskAmount = 0.25f;\r\n");
+	const std::string Printed = Folder.Call("overlay diff MyPatch").Printed;
+	EXPECT_THAT(Printed, HasSubstr("@@ struct FBloomSetupParameters @@\n+\tSHADER_PARAMETER(float, Dusk) // dry"));
+	EXPECT_THAT(Printed, HasSubstr("+++ " + SceneSource + "\n@@ new to drydock @@\n+\tDuskAmount = 0.25f;\n"));
+	EXPECT_THAT(Printed, Not(HasSubstr("no line has changed")));
+	EXPECT_EQ(2, Folder.Call("overlay diff MyPatch --engine 9.9").ExitCode);
+	EXPECT_THAT(Folder.Call("overlay diff MyPatch --engine 9.9").Printed, HasSubstr("5.4"));
+	EXPECT_THAT(Folder.Call("overlay diff MyPatch --engine 5.6").Printed, HasSubstr("for engine 5.6"));
+}
+
 TEST(OverlayRun, MistakesAreNamed)
 {
 	const FProgramFolder Folder("overlay_mistakes");
@@ -165,10 +213,32 @@ TEST(OverlayRun, MistakesAreNamed)
 	const FOutcome Pass = Folder.Call("overlay new MyPatch --pass BloomSetups");
 	EXPECT_EQ(2, Pass.ExitCode);
 	EXPECT_THAT(Pass.Printed, HasSubstr("did you mean BloomSetup?"));
+	EXPECT_THAT(
+		Folder.Call("overlay new MyPatch --pass AddBloomSetupPass").Printed, HasSubstr("did you mean BloomSetup?"));
+	EXPECT_THAT(Folder.Call("overlay new --help").Printed, Not(HasSubstr("DiaphragmDOF")));
 	const FOutcome Cpu = Folder.Call("overlay new MyPatch --pass Histogram");
 	EXPECT_EQ(2, Cpu.ExitCode);
 	EXPECT_THAT(Cpu.Printed, HasSubstr("has no file of it in the engine's form"));
 	const FOutcome Missing = Folder.Call("run frame.json --overlay Nowhere");
 	EXPECT_EQ(2, Missing.ExitCode);
 	EXPECT_THAT(Missing.Printed, HasSubstr("DD1130"));
+	EXPECT_THAT(
+		Folder.Call("run frame.json --overlay ''").Printed, HasSubstr("an overlay needs the name of its folder"));
+
+	// The config's words.
+	const std::pair<const char*, const char*> Wrong[] = {
+		{"7", "at /overlay: expected a folder's name, or an array of them, found a number"},
+		{R"({"folder": "Dusk", "ovr": "x"})", "at /overlay/ovr: unknown key \"ovr\"; did you mean over?"},
+		{R"(["Dusk", "Other", 3])", "at /overlay/2: expected a folder's name"},
+		{R"(["Dusk", "Dusk/"])", "the overlay Dusk/ is named twice"},
+		{R"(["Dusk", {"folder": "Other", "over": "Duks"}])", "no overlay \"Duks\" that Other could stand over"},
+		{R"([{"folder": "Dusk", "over": "Other"}, {"folder": "Other", "over": "Dusk"}])", "stand over each other"},
+	};
+	for (const auto& [Overlay, Message] : Wrong)
+	{
+		Folder.WriteFrame("wrong.json", std::string(R"(, "overlay": )") + Overlay);
+		const FOutcome Run = Folder.Call("run wrong.json");
+		EXPECT_EQ(2, Run.ExitCode) << Overlay;
+		EXPECT_THAT(Run.Printed, HasSubstr(Message));
+	}
 }

@@ -53,6 +53,13 @@ TEST(OverlaySettings, MistakesNameTheLine)
 	std::vector<FDiagnostic> Diagnostics;
 	ReadSettings("uint8 bOverride_Alone:1;\nuint8 bOverride_Mesh:1;\nUPROPERTY()\nUStaticMesh* Mesh;\n", Diagnostics);
 	ASSERT_EQ(2u, Diagnostics.size());
+	std::vector<FDiagnostic> Notes;
+	ReadSettings("struct FPostProcessSettings\n{\n\tUPROPERTY(interp)\n\tfloat Alone = 1.0f;\n\tUPROPERTY()\n"
+				 "\tfloat BloomIntensity;\n};\nUPROPERTY()\nint Elsewhere;\n",
+		Notes);
+	ASSERT_EQ(1u, Notes.size());
+	EXPECT_EQ(ESeverity::Note, Notes[0].Severity);
+	EXPECT_EQ("Alone becomes no setting: it has no bit bOverride_Alone", Notes[0].Message);
 	EXPECT_EQ(ErrorOverlaySetting, Diagnostics[0].Code);
 	EXPECT_EQ(1, Diagnostics[0].Line);
 	EXPECT_THAT(Diagnostics[0].Message, HasSubstr("bOverride_Alone has no UPROPERTY Alone"));
