@@ -134,6 +134,10 @@ std::pair<std::string, FShaderSourceText> ReadCompilation(const FParts& Parts, c
 		{
 			Shader.Defines.emplace_back("__HLSL_ENABLE_16_BIT", "1"); // as DXC says it
 		}
+		else if (Word == "202x" && Words[i - 1] == "-HV")
+		{
+			Shader.Defines.emplace_back("__HLSL_VERSION", "202x");
+		}
 		else if (Word.starts_with("%t/"))
 		{
 			Shader.Text = FindPart(Parts, Word);

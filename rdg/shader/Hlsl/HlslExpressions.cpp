@@ -101,7 +101,11 @@ FValue* FAnalyser::AnalyseKind(const FExpression& Tree)
 FValue* FAnalyser::AnalyseNumber(const FExpression& Tree)
 {
 	std::string Why;
-	const std::optional<FNumber> Number = ReadNumber(Tree.Text, Why, Types->HasRealHalf());
+	std::optional<FNumber> Number = ReadNumber(Tree.Text, Why, Types->HasRealHalf());
+	if (Number && Number->Scalar == EScalar::LiteralFloat && Options.bFloatLiterals)
+	{
+		Number = ReadNumber(std::string(Tree.Text) + "f", Why);
+	}
 	return Number ? MakeConstant(Types->Scalar(Number->Scalar), {Number->Bits}, Tree.Place) : Fail(Tree.Place, Why);
 }
 

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr const char* FrontEndRealHalf = "__HLSL_ENABLE_16_BIT";
+constexpr const char* FrontEndVersion = "__HLSL_VERSION";
 
 void ThrowFrontEndErrors(std::vector<FDiagnostic> Errors)
 {
@@ -35,8 +36,11 @@ FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request)
 	Options.Stage = Request.Stage == EShaderStage::Pixel    ? EStage::Pixel
 					: Request.Stage == EShaderStage::Vertex ? EStage::Vertex
 															: EStage::Compute;
-	Options.bRealHalf = std::ranges::any_of(
-		Request.Defines, [](const auto& Define) { return Define.first == FrontEndRealHalf && Define.second != "0"; });
+	for (const auto& [Name, Value] : Request.Defines)
+	{
+		Options.bRealHalf = Options.bRealHalf || (Name == FrontEndRealHalf && Value != "0");
+		Options.bFloatLiterals = Options.bFloatLiterals || (Name == FrontEndVersion && Value > "2021");
+	}
 	Options.VirtualPath = Request.VirtualPath;
 	Options.bAllLoose = true;
 	for (const FShaderUniformBuffer& Buffer : Request.UniformBuffers)

@@ -84,11 +84,11 @@ void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0, o
 		discard;
 	}
 	float Sum = SvPosition.y;
-	float3 noexcept = mul(Source.SampleLevel(SourceSampler, SvPosition.xy * 0.1, 0).rgb, Twice(Turn));
+	float3 requires = mul(Source.SampleLevel(SourceSampler, SvPosition.xy * 0.1, 0).rgb, Twice(Turn));
 	FTap Taps[2];
 	Taps[0] = MakeTap(Pixel.x, Sum);
 	Taps[1] = MakeTap(1, Sum);
-	bool3 Above = noexcept > float3(0.25, 0.5, 0.75);
+	bool3 Above = requires > float3(0.25, 0.5, 0.75);
 	int xor = 0;
 	switch (Pixel.y)
 	{
@@ -105,8 +105,8 @@ void MainPS(float4 SvPosition : SV_POSITION, out float4 OutColor : SV_Target0, o
 	}
 	float Whole, Part;
 	Split(Sum * 3.3, Whole, Part);
-	noexcept[Pixel.x % 3] += Taps[Pixel.x & 1].Weights[Pixel.y % 3];
-	OutColor = float4(noexcept, Weigh(Taps[1].Offset)) + Colors[Pixel.y % 3];
+	requires[Pixel.x % 3] += Taps[Pixel.x & 1].Weights[Pixel.y % 3];
+	OutColor = float4(requires, Weigh(Taps[1].Offset)) + Colors[Pixel.y % 3];
 	OutOther = float4(Taps[0].bUsed && Above.y ? Whole : Part, xor, Total, pow(abs(Sum), 0.3));
 }
 )";
