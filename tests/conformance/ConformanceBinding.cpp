@@ -136,6 +136,10 @@ void FBinding::ReadPlaces(const std::string& Text)
 		}
 		if (Tokens.Is(At, "register") && Tokens.Is(At + 1, "(") && Tokens.IsWord(At + 2))
 		{
+			if (Attributes.Class) // a struct with resources of several classes
+			{
+				Places.push_back(Attributes);
+			}
 			const std::string& Register = Tokens[At + 2].Text;
 			Attributes.Class = Register[0];
 			Attributes.Register = std::atoi(Register.c_str() + 1);
@@ -155,6 +159,27 @@ std::string FBinding::FindArray(const std::string& Name, int32_t& Index) const
 	}
 	Index = std::atoi(Name.c_str() + Digits);
 	return Array;
+}
+
+/** The buffers in a struct of the text, "A_Name" of A, get the registers from that of A on, and "A_2_Name" of an array
+ * the one of its index. */
+void FBinding::AddMembers(const std::vector<FShaderResource>& List, char Class)
+{
+	std::map<std::string, int32_t> Counts;
+	for (const FShaderResource& Resource : List)
+	{
+		const auto Struct = std::ranges::find_if(Places,
+			[&](const FPlace& Place) { return Place.Class == Class && Resource.Name.starts_with(Place.Name + "_"); });
+		if (!FindPlace(Resource.Name) && Struct != Places.end())
+		{
+			FPlace Member = *Struct;
+			Member.Register +=
+				Struct->bArray ? std::atoi(Resource.Name.c_str() + Struct->Name.size() + 1) : Counts[Struct->Name]++;
+			Member.Name = Resource.Name;
+			Member.bArray = false;
+			Places.push_back(Member);
+		}
+	}
 }
 
 /** Elements of arrays get places of their own. Registers of what names none: the first that are free, in the order of
@@ -181,6 +206,8 @@ void FBinding::PlaceTheRest(const FShaderReflection& Reflection)
 	AddElements(Reflection.RWTextures);
 	AddElements(Reflection.RWBuffers);
 	AddElements(Reflection.ConstantBuffers);
+	AddMembers(Reflection.Buffers, 't');
+	AddMembers(Reflection.RWBuffers, 'u');
 	std::vector<std::pair<size_t, FPlace>> Rest; // by where they stand
 	const auto Add = [&](const auto& List, char Class)
 	{

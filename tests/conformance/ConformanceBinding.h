@@ -49,6 +49,7 @@ private:
 
 	void ReadPlaces(const std::string& Text);
 	std::string FindArray(const std::string& Name, int32_t& Index) const;
+	void AddMembers(const std::vector<FShaderResource>& List, char Class);
 	void PlaceTheRest(const FShaderReflection& Reflection);
 	const FPlace* FindPlace(const std::string& Name) const;
 	const FResource* FindResource(const std::string& Name) const;
