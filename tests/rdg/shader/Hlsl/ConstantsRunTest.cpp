@@ -26,6 +26,31 @@ std::vector<FConstantsCase> MakeConstantsCases(
 	return Cases;
 }
 
+// The optimiser has rules for an operation of an operation with a constant; what a rule gets wrong differs from the
+// folded value.
+TEST_F(HlslConstantsRun, AnOperationOfAnOperation)
+{
+	std::vector<std::string> Expressions;
+	for (const char* const Inner : {"(A + 3)", "(A - 3)", "(3 - A)", "(A * 3)", "(A / 3)", "(7 / (A | 1))", "(A / 1)",
+			 "(A % 3)", "(-A)", "(A / 0x7FFFFFFF)"})
+	{
+		for (const char* const Outer : {"-$", "$ + 5", "$ - 5", "5 - $", "$ * 4", "$ / 4", "$ * 3", "$ / 3", "$ % 4",
+				 "2 / ($ | 1)", "$ + A", "$ - A", "A - $", "$ * A", "($ / 3) * 3"})
+		{
+			const std::string Text = Outer;
+			const size_t At = Text.find('$');
+			Expressions.push_back(Text.substr(0, At) + Inner + Text.substr(At + 1));
+		}
+	}
+	Check(MakeConstantsCases({"int", "uint", "int3"}, Expressions));
+	for (std::string& Expression : Expressions)
+	{
+		Expression.erase(std::remove(Expression.begin(), Expression.end(), '|'), Expression.end());
+	}
+	std::erase_if(Expressions, [](const std::string& Text) { return Text.find(" 1)") != std::string::npos; });
+	Check(MakeConstantsCases({"float", "float2"}, Expressions));
+}
+
 TEST_F(HlslConstantsRun, OperatorsAndFunctions)
 {
 	const std::vector<std::string> Floats = {"float", "float2", "float3", "float4", "float2x2", "float3x4"};
