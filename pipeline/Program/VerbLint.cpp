@@ -11,10 +11,12 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <regex>
 #include <set>
 
 namespace Drydock
@@ -92,6 +94,41 @@ struct FFound
 	}
 };
 
+/** Maps the shaders of the plugin that a file lies in as a run does: to "/Plugin/NAME", and to the names that its C++
+ * gives to AddShaderSourceDirectoryMapping. */
+void MapPluginOf(const fs::path& File)
+{
+	static const std::regex Mapping(R"(AddShaderSourceDirectoryMapping\s*\(\s*(?:TEXT\s*\(\s*)?"(/[^"]+)") ");
+		std::error_code Error;
+	fs::path Plugin = File;
+	std::string Name;
+	while (Name.empty() && Plugin.has_relative_path())
+	{
+		Plugin = Plugin.parent_path();
+		for (const fs::directory_entry& Entry : fs::directory_iterator(Plugin, Error))
+		{
+			Name = Entry.path().extension() == ".uplugin" ? Entry.path().stem().string() : Name;
+		}
+	}
+	const std::string Shaders = (Plugin / "Shaders").string();
+	if (Name.empty() || !fs::is_directory(Shaders, Error))
+	{
+		return;
+	}
+	AddShaderDirectory("/Plugin/" + Name, Shaders);
+	for (fs::recursive_directory_iterator Entry(Plugin / "Source", Error), End; !Error && Entry != End;
+		 Entry.increment(Error))
+	{
+		std::smatch Found;
+		const std::string Text =
+			Entry->path().extension() == ".cpp" ? TryReadTextFile(Entry->path().string()).value_or("") : "";
+		if (std::regex_search(Text, Found, Mapping))
+		{
+			AddShaderDirectory(Found[1], Shaders);
+		}
+	}
+}
+
 /** The virtual path of a file; where its folder is not mapped, it is now. */
 std::string GetVirtualPath(const std::string& Target)
 {
@@ -106,6 +143,7 @@ std::string GetVirtualPath(const std::string& Target)
 		throw FError(
 			{.Code = ErrorFileMissing, .Message = "there is no shader file of this name", .File = Target}, ExitFiles);
 	}
+	MapPluginOf(File);
 	for (const FShaderDirectory& Directory : GetShaderDirectories())
 	{
 		const fs::path Folder = fs::weakly_canonical(Directory.Real, Error);

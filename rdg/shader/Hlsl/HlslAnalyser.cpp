@@ -162,10 +162,16 @@ void FAnalyser::WarnOfUnset()
 {
 	for (const FFunction* Function : bFailed ? std::vector<FFunction*>() : Program->Functions)
 	{
-		for (const auto& [Variable, Place] : FindUnset(*Function))
+		for (const FUnset& Unset : FindUnset(*Function))
 		{
-			Warn(Place, "X4000: use of potentially uninitialized variable '" + Variable->Name +
-							"': " + (Variable->bWritten ? "not every path to here sets it" : "nothing sets it"));
+			const std::string What = Unset.Variable->Name;
+			Warn(Unset.Place,
+				Unset.bOut ? "X3508: output parameter '" + What +
+								 "' not completely initialized: not every way to the function's end sets " + Unset.Part
+						   : "X4000: use of potentially uninitialized variable '" + What + "': " +
+								 (!Unset.Variable->bWritten
+										 ? "nothing sets it"
+										 : "not every path to here sets " + (Unset.Part == What ? "it" : Unset.Part)));
 		}
 	}
 }

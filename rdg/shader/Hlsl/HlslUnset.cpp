@@ -2,7 +2,9 @@
 #include "HlslUnset.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace Drydock::Hlsl
 {
@@ -10,7 +12,56 @@ namespace Drydock::Hlsl
 namespace
 {
 
-using FUnsetVariables = std::set<const FVariable*>;
+using FUnsetVariables = std::set<std::pair<const FVariable*, uint32_t>>; // with a member or component of it
+
+uint32_t CountUnsetParts(const FType* Type)
+{
+	return Type->IsStruct()   ? std::max(1u, uint32_t(Type->Struct->Members.size()))
+		   : Type->IsVector() ? Type->Columns
+							  : 1u;
+}
+
+std::string NameUnsetPart(const FVariable& Variable, uint32_t Part)
+{
+	const FType* const Type = Variable.Type;
+	return Variable.Name + (Type->IsStruct() && Part < Type->Struct->Members.size()
+								   ? "." + Type->Struct->Members[Part].Name
+							   : Type->IsVector() ? std::string(".") + "xyzw"[Part]
+												  : "");
+}
+
+/** A variable, or members or components of one. */
+struct FUnsetParts
+{
+	const FVariable* Variable = nullptr; // null: the value is something else
+	std::vector<uint32_t> Parts;
+};
+
+FUnsetParts GetUnsetParts(const FValue& Value)
+{
+	if (Value.Kind == EValue::Variable)
+	{
+		FUnsetParts All{Value.Variable, std::vector<uint32_t>(CountUnsetParts(Value.Variable->Type))};
+		std::iota(All.Parts.begin(), All.Parts.end(), 0);
+		return All;
+	}
+	const FValue* const Of = Value.Operands.empty() ? nullptr : Value.Operands[0];
+	if (!Of || Of->Kind != EValue::Variable)
+	{
+		return {};
+	}
+	if (Value.Kind == EValue::Member)
+	{
+		return {Of->Variable, {Value.Index}};
+	}
+	if (Value.Kind == EValue::Swizzle)
+	{
+		return {Of->Variable, {Value.Parts.begin(), Value.Parts.end()}};
+	}
+	const bool bComponent =
+		Value.Kind == EValue::Index && Of->Type->IsVector() && Value.Operands[1]->Kind == EValue::Constant;
+	return bComponent ? FUnsetParts{Of->Variable, {uint32_t(Value.Operands[1]->Constant.at(0))}} : FUnsetParts();
+}
 
 /** Arguments of what the language has that are written: those from First on. */
 struct FUnsetWriter
@@ -24,17 +75,53 @@ constexpr FUnsetWriter UnsetWriters[] = {{"sincos", 1}, {"modf", 1}, {"frexp", 1
 class FUnsetFinder
 {
 public:
-	std::vector<std::pair<const FVariable*, FPlace>> Found;
+	std::vector<FUnset> Found;
 
 	void Run(const FFunction& Function)
 	{
-		if (Function.Body)
+		if (!Function.Body)
 		{
-			RunCode(*Function.Body);
+			return;
 		}
+		for (const FVariable* Parameter : Function.Parameters)
+		{
+			if ((Parameter->Modifiers & (ModifierIn | ModifierOut)) == ModifierOut)
+			{
+				Outs.push_back(Parameter);
+				Declare(*Parameter);
+			}
+		}
+		RunCode(*Function.Body);
+		CheckOuts();
 	}
 
 private:
+	void Declare(const FVariable& Variable)
+	{
+		const uint32_t Count =
+			HasObject(Variable.Type) || CountScalars(Variable.Type) == 0 ? 0 : CountUnsetParts(Variable.Type);
+		for (uint32_t Part = 0; Part < Count; ++Part)
+		{
+			Unset.emplace(&Variable, Part);
+		}
+	}
+
+	void CheckOuts()
+	{
+		for (const FVariable* Out : bEnds ? std::vector<const FVariable*>() : Outs)
+		{
+			const auto First = Unset.lower_bound({Out, 0});
+			const auto IsOut = [Out](const FUnset& Known)
+			{
+				return Known.bOut && Known.Variable == Out;
+			};
+			if (First != Unset.end() && First->first == Out && std::ranges::none_of(Found, IsOut))
+			{
+				Found.push_back({Out, NameUnsetPart(*Out, First->second), Out->Place, true});
+			}
+		}
+	}
+
 	void Join(const FUnsetVariables& Other, bool bOtherEnds)
 	{
 		if (bEnds)
@@ -65,9 +152,9 @@ private:
 			break;
 		case EStep::Variable:
 			Read(Code.Value);
-			if (!Code.Value && !HasObject(Code.Variable->Type) && CountScalars(Code.Variable->Type) > 0)
+			if (!Code.Value)
 			{
-				Unset.insert(Code.Variable);
+				Declare(*Code.Variable);
 			}
 			break;
 		case EStep::Value:
@@ -85,6 +172,7 @@ private:
 			break;
 		case EStep::Return:
 			Read(Code.Value);
+			CheckOuts();
 			bEnds = true;
 			break;
 		case EStep::Break:
@@ -179,14 +267,13 @@ private:
 		{
 			return;
 		}
+		if (const FUnsetParts Parts = GetUnsetParts(*Value); Parts.Variable)
+		{
+			ReadParts(Parts, Value->Place);
+			return;
+		}
 		switch (Value->Kind)
 		{
-		case EValue::Variable:
-			if (!bEnds && Unset.erase(Value->Variable))
-			{
-				Found.emplace_back(Value->Variable, Value->Place);
-			}
-			break;
 		case EValue::Assign:
 			Read(Value->Operands[1]);
 			Write(Value->Operands[0]);
@@ -209,6 +296,19 @@ private:
 				Read(Operand);
 			}
 			break;
+		}
+	}
+
+	void ReadParts(const FUnsetParts& Parts, const FPlace& Place)
+	{
+		const auto Part = std::ranges::find_if(Parts.Parts,
+			[&](uint32_t Each) {
+				return !bEnds && Unset.contains({Parts.Variable, Each});
+			});
+		if (Part != Parts.Parts.end())
+		{
+			Found.push_back({Parts.Variable, NameUnsetPart(*Parts.Variable, *Part), Place});
+			std::erase_if(Unset, [&](const auto& Each) { return Each.first == Parts.Variable; });
 		}
 	}
 
@@ -268,11 +368,16 @@ private:
 	/** Sets a variable, or a part of it: indices in it are read. */
 	void Write(const FValue* Value)
 	{
+		if (const FUnsetParts Parts = GetUnsetParts(*Value); Parts.Variable)
+		{
+			for (const uint32_t Part : Parts.Parts)
+			{
+				Unset.erase({Parts.Variable, Part});
+			}
+			return;
+		}
 		switch (Value->Kind)
 		{
-		case EValue::Variable:
-			Unset.erase(Value->Variable);
-			break;
 		case EValue::Index:
 		case EValue::Element:
 			Read(Value->Operands[1]);
@@ -289,6 +394,7 @@ private:
 		}
 	}
 
+	std::vector<const FVariable*> Outs; // parameters
 	FUnsetVariables Unset;
 	std::vector<FUnsetVariables> Breaks; // of the loops and switches around
 	bool bEnds = false;                  // nothing goes on from here
@@ -296,7 +402,7 @@ private:
 
 } // namespace
 
-std::vector<std::pair<const FVariable*, FPlace>> FindUnset(const FFunction& Function)
+std::vector<FUnset> FindUnset(const FFunction& Function)
 {
 	FUnsetFinder Finder;
 	Finder.Run(Function);

@@ -69,6 +69,7 @@ private:
 		const size_t Colon = Where.rfind(':');
 		Add(Id, Where.substr(0, Colon), Colon == std::string::npos ? 0 : std::atoi(Where.c_str() + Colon + 1), What);
 	}
+	void LookAtInputs(const Hlsl::FProgram& Program);
 	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
 		const FSpirvInstruction& I);
 	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
@@ -82,6 +83,47 @@ private:
 	std::map<uint32_t, uint32_t> Images;                 // a loaded image -> its variable
 	std::set<uint32_t> Stored;                           // variables of images that some instruction writes
 };
+
+/** What a pixel shader gets, in the order of its registers. */
+void AddInputs(const Hlsl::FType& Type, const std::string& Semantic, const Hlsl::FPlace& Place,
+	std::vector<std::pair<std::string, Hlsl::FPlace>>& Inputs)
+{
+	if (!Type.IsStruct())
+	{
+		Inputs.emplace_back(Semantic, Place);
+		return;
+	}
+	for (const Hlsl::FMember& Member : Type.Struct->Members)
+	{
+		AddInputs(*Member.Type, Member.Semantic, Member.Place, Inputs);
+	}
+}
+
+/** Direct3D binds the outputs of a vertex shader to inputs by register. The engine's screen vertex shaders write
+ * TEXCOORDs first and SV_Position behind them. */
+void FLinter::LookAtInputs(const Hlsl::FProgram& Program)
+{
+	std::vector<std::pair<std::string, Hlsl::FPlace>> Inputs;
+	for (const Hlsl::FVariable* Parameter : Program.Entry->Parameters)
+	{
+		const bool bInput = Parameter->Storage == Hlsl::EStorage::Parameter &&
+							!(Parameter->Modifiers & (Hlsl::ModifierOut | Hlsl::ModifierUniform));
+		if (bInput)
+		{
+			AddInputs(*Parameter->Type, Parameter->Semantic, Parameter->Place, Inputs);
+		}
+	}
+	bool bPosition = false;
+	for (const auto& [Semantic, Place] : Inputs)
+	{
+		bPosition = bPosition || Semantic.starts_with("SV_POSITION");
+		if (bPosition && !Semantic.starts_with("SV_"))
+		{
+			Add("input-order", Program.Files[Place.File], Place.Line, Semantic + " behind SV_Position");
+			return;
+		}
+	}
+}
 
 void FLinter::LookAtText(const std::string& Source)
 {
@@ -101,9 +143,14 @@ void FLinter::LookAtText(const std::string& Source)
 		Add("partial-uav-store", File, Place.Line, "");
 		PartialStores.insert({File, Place.Line});
 	}
+	if (Request.Stage == EShaderStage::Pixel)
+	{
+		LookAtInputs(*Read.Program);
+	}
 	for (const FDiagnostic& Warning : Read.Warnings)
 	{
-		Add("compiler-warning", Warning.File, Warning.Line, Warning.Message);
+		const bool bOut = Warning.Message.starts_with("X3508");
+		Add(bOut ? "out-not-set" : "compiler-warning", Warning.File, Warning.Line, Warning.Message);
 	}
 }
 

@@ -91,6 +91,21 @@ TEST(LintProgram, NamesOfDrydocksOwnAreNotInTheEngine)
 		HasSubstr("Part.usf:1: error: /Engine/Private/UnityBloom.usf (an article adds it): "));
 }
 
+TEST(LintProgram, AFileOfAPluginIncludesByThePluginsNames)
+{
+	const FProgramFolder Folder("lint_plugin");
+	Folder.Write("My/Plug.uplugin", "{}");
+	Folder.Write("My/Source/Plug/Plug.cpp", "void F() { AddShaderSourceDirectoryMapping(TEXT(\"/PlugShaders\"), "
+											"FPaths::Combine(Dir, TEXT(\"Shaders\"))); }");
+	Folder.Write("My/Shaders/Private/One.ush", "#define ONE 1\n");
+	Folder.Write("My/Shaders/Two.ush", "#define TWO 2\n");
+	Folder.Write("My/Shaders/Part.usf",
+		"#include \"/Plugin/Plug/Private/One.ush\"\n#include \"/PlugShaders/Two.ush\"\nRWTexture2D<float4> Out;\n"
+		"[numthreads(8, 8, 1)]\nvoid MainCS(uint2 P : SV_DispatchThreadID) { Out[P].x = ONE + TWO; }\n");
+	const FOutcome Found = Folder.Call("lint My/Shaders/Part.usf --platform d3d11");
+	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:5: error: a store to a typed UAV")) << Found.Printed;
+}
+
 TEST(LintProgram, FindingsHaveTheirLineAndAllowedOnesAreLeftOut)
 {
 	const FProgramFolder Folder("lint_findings");

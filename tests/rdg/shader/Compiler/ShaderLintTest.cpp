@@ -115,6 +115,21 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute(Uint + "groupshared uint G[4088];", "	G[Id.x] = Id.y; Out[Id.x] = G[Id.x];"))},
 		{"hidden-counter", 5, MakeRequest(Compute("AppendStructuredBuffer<uint> Out;", "	Out.Append(Id.x);")),
 			MakeRequest(Compute(Uint, "	Out[Id.x] = 1;"))},
+		{"input-order", 2,
+			MakeRequest("struct FIn { float4 P : SV_POSITION;\n	float2 UV : TEXCOORD0; };\n"
+						"float4 Main(FIn In, uniform float A) : SV_Target0 { return In.UV.xyxy + A; }\n",
+				Pixel),
+			MakeRequest("float4 Main(float2 UV : TEXCOORD0, float4 P : SV_POSITION, bool B : SV_IsFrontFace) : "
+						"SV_Target0 { return UV.xyxy + P + B; }\n",
+				Pixel)},
+		{"out-not-set", 2,
+			MakeRequest("RWBuffer<float> Out; struct S { float A; float B; };\n"
+						"void F(uint I, out S R) { R.A = 1; if (I > 3) { R.B = 2; } }\n[numthreads(1, 1, 1)] void "
+						"Main(uint I : SV_DispatchThreadID) { S R; F(I, R); Out[I] = R.A + R.B; }\n"),
+			MakeRequest("RWBuffer<float> Out; struct S { float A; float B; };\n"
+						"void F(uint I, out S R) { R.A = 1; if (I > 3) { R.B = 2; return; } R.B = 0; }\n"
+						"[numthreads(1, 1, 1)] void Main(uint I : SV_DispatchThreadID) { S R; F(I, R); Out[I] = R.A + "
+						"R.B; }\n")},
 		{"double", 0, MakeRequest(Compute("RWStructuredBuffer<double> Out;", "	Out[Id.x] = Id.x * 0.1L;")),
 			MakeRequest(Compute("RWStructuredBuffer<float> Out;", "	Out[Id.x] = Id.x * 0.1;"))},
 		{"not-in-engine", 1,

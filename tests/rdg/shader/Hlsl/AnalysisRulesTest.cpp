@@ -99,6 +99,16 @@ const std::vector<FRule> Rules = {
 	{EStage::Compute, "", "float X; if (P.x) { X = 1; } else { return; } Out[0] = X;", ""},
 	{EStage::Compute, "", "float X; bool B = P.x && (X = 1); Out[0] = X;",
 		"12:45: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets it"},
+	{EStage::Compute, "", "float4 X; X.xy = 1; X[2] = 2; Out[0] = X.y + X.z;", ""},
+	{EStage::Compute, "", "float4 X; X.xy = 1; X[2] = 2; Out[0] = dot(X, X);",
+		"12:44: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.w"},
+	{EStage::Compute, "struct S { float A; float2 B; };", "S X; X.A = 1; X.B.x = 2; S Y = X; Out[0] = Y.A;", ""},
+	{EStage::Compute, "struct S { float A; float2 B; };", "S X; X.A = 1; Out[0] = X.B.x;",
+		"12:24: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.B"},
+	{EStage::Compute, "void F(uint I, out float A)\n{ if (I) { A = 1; return; }\n}", "float X; F(P.x, X); Out[0] = X;",
+		"1:1: warning X3508: output parameter 'A' not completely initialized: not every way to the function's end sets "
+		"A"},
+	{EStage::Compute, "void F(uint I, out float3 A) { A.xy = 1; A.z = I; }", "float3 X; F(P.x, X); Out[0] = X.x;", ""},
 	{EStage::Compute, "int4 Count;", "Count.x = 3; Out[0] = Count;",
 		"12:8: warning X3025: global variables are implicitly constant: 'Count' is a parameter of the shader, which "
 		"DXC refuses to write; copy it into a local variable"},
