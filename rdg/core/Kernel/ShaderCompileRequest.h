@@ -30,6 +30,9 @@ struct FShaderUniformBuffer
 	std::string Declaration;          // HLSL; stands in the text of shaders that read the buffer
 };
 
+/** A define of a request by which its text is read by the rules of FXC (docs/shaders.md). */
+inline constexpr const char* FxcRulesDefine = "DRYDOCK_FXC_RULES";
+
 struct FShaderCompileRequest
 {
 	std::string VirtualPath; // "/Engine/Private/PostProcessBloom.usf"

@@ -30,6 +30,11 @@ TAutoConsoleVariable<int32> CVarLaneWidth(TEXT("r.Drydock.LaneWidth"), 0,
 TAutoConsoleVariable<int32> CVarWaveSize(
 	TEXT("r.Drydock.WaveSize"), 32, TEXT("Threads of a wave, as WaveGetLaneCount() gives it: 4, 8, 16, 32 or 64."));
 
+TAutoConsoleVariable<int32> CVarForceDXC(TEXT("r.D3D.ForceDXC"), 1,
+	TEXT("1: shaders have the rules of DXC and HLSL 2021. 0: those of FXC, which shader model 5 is compiled by: ?:, && "
+		 "and "
+		 "|| take vectors and evaluate all sides."));
+
 /** Whose work compiling is, whoever asks for it. */
 const FCodeOwner GCompiler{.Callback = "the shader compiler"};
 
@@ -88,6 +93,15 @@ void AddUniformBuffers(const FShaderParametersMetadata* Metadata, FShaderCompile
 	}
 }
 
+void AddRules(FShaderCompileRequest& Request)
+{
+	Request.Lanes = GetShaderLaneConfig();
+	if (CVarForceDXC.GetValueOnAnyThread() == 0)
+	{
+		Request.Defines.emplace_back(FxcRulesDefine, "1");
+	}
+}
+
 } // namespace
 
 FLaneConfig GetShaderLaneConfig()
@@ -110,7 +124,7 @@ FShaderCompileRequest MakeShaderCompileRequest(const FShaderRef& Shader, const F
 					: Type.GetFrequency() == SF_Vertex ? EShaderStage::Vertex
 													   : EShaderStage::Compute;
 	Request.Defines = Type.GetCompilationEnvironment(Shader->GetPermutationId()).GetDefines();
-	Request.Lanes = GetShaderLaneConfig();
+	AddRules(Request);
 	AddUniformBuffers(Metadata, Request);
 	return Request;
 }
@@ -123,7 +137,7 @@ FShaderCompileRequest MakeShaderCompileRequest(
 	Request.VirtualPath = VirtualPath;
 	Request.EntryPoint = EntryPoint;
 	Request.Stage = Stage;
-	Request.Lanes = GetShaderLaneConfig();
+	AddRules(Request);
 	AddUniformBuffers(nullptr, Request);
 	return Request;
 }

@@ -17,7 +17,7 @@ struct FAnalysisOptions
 	EStage Stage = EStage::Compute;
 	bool bRealHalf = false;    // half is float16_t
 	bool bFloatLiterals = false; // HLSL 202x: a literal without a suffix is a float
-	bool bVectorLogic = false; // FXC's rules: ?:, && and || take vectors, and all their sides are run
+	bool bFxcRules = false; // shader model 5: ?:, && and || take vectors, and all their sides are run
 	std::string VirtualPath;   // of the shader, for messages without a place
 	bool bAllLoose = false;    // parameters at file scope that nothing names are made beside those that something does
 	/** "View.Foo" of a uniform buffer: the buffer's name and its members; X.Member is the variable X_Member of the

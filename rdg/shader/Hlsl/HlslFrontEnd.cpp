@@ -39,6 +39,7 @@ FAnalysis Read(const std::string& Text, const FShaderCompileRequest& Request)
 	for (const auto& [Name, Value] : Request.Defines)
 	{
 		Options.bRealHalf = Options.bRealHalf || (Name == FrontEndRealHalf && Value != "0");
+		Options.bFxcRules = Options.bFxcRules || (Name == FxcRulesDefine && Value != "0");
 		Options.bFloatLiterals = Options.bFloatLiterals || (Name == FrontEndVersion && Value > "2021");
 	}
 	Options.VirtualPath = Request.VirtualPath;

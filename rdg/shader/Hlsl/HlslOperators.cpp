@@ -158,7 +158,7 @@ FValue* FAnalyser::AnalyseBinary(const FExpression& Tree)
 FValue* FAnalyser::MakeLogical(const FExpression& Tree, FValue* Left, FValue* Right)
 {
 	const bool bAnd = Tree.Text == "&&";
-	if (Options.bVectorLogic && (Left->Type->IsVector() || Right->Type->IsVector()))
+	if (Options.bFxcRules && Left->Type->IsNumeric() && Right->Type->IsNumeric())
 	{
 		FArguments Arguments;
 		Arguments.Values = {Left, Right};
@@ -247,7 +247,7 @@ FValue* FAnalyser::AnalyseConditional(const FExpression& Tree)
 	FValue* const Chosen = Analyse(*Tree.Operands[0]);
 	FValue* Left = Analyse(*Tree.Operands[1]);
 	FValue* Right = Analyse(*Tree.Operands[2]);
-	if (Options.bVectorLogic && Chosen->Type->IsVector() && !IsError(Left) && !IsError(Right))
+	if (Options.bFxcRules && Chosen->Type->IsNumeric() && Left->Type->IsNumeric() && Right->Type->IsNumeric())
 	{
 		FArguments Arguments;
 		Arguments.Values = {Chosen, Left, Right};

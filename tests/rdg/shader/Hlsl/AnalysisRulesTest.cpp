@@ -160,7 +160,7 @@ TEST(HlslAnalysisRules, WarningsAreData)
 	EXPECT_EQ(Warnings[0].Line, 12);
 	EXPECT_THROW(Read("syntax error", Request), FError);
 	const FAnalysisOptions Options;
-	EXPECT_FALSE(Options.bVectorLogic);
+	EXPECT_FALSE(Options.bFxcRules);
 }
 
 /** FXC's rules: ?:, && and || by components. */
@@ -173,8 +173,24 @@ TEST(HlslAnalysisRules, VectorsInLogicWhereAskedFor)
 	FAnalysisOptions Options;
 	Options.EntryPoint = "Main";
 	EXPECT_EQ(Analyse(Tree, Options).Errors.size(), 2u);
-	Options.bVectorLogic = true;
+	Options.bFxcRules = true;
 	EXPECT_TRUE(Analyse(Tree, Options).Errors.empty());
+}
+
+TEST(HlslAnalysisRules, ARequestAsksForFxcsRules)
+{
+	FShaderCompileRequest Request;
+	Request.EntryPoint = "Main";
+	const std::string Text = MakeComputeText("", "int K = 0; bool B = P.x > 9 && K++ == 0; Out[0] = K + B;");
+	const auto HasChoice = [&Request](const std::string& Of)
+	{
+		const FAnalysis Analysis = Read(Of, Request);
+		return FProgramPrinter(*Analysis.Program).Print().find("&&") != std::string::npos;
+	};
+	EXPECT_TRUE(HasChoice(Text));
+	Request.Defines = {{FxcRulesDefine, "1"}};
+	EXPECT_FALSE(HasChoice(Text));
+	EXPECT_NO_THROW(Read(MakeComputeText("", "float2 A = P; float2 C = A > 1 ? A : 2; Out[0] = C.x;"), Request));
 }
 
 TEST(HlslAnalysisRules, SemanticsStandOnce)
