@@ -40,8 +40,9 @@ engine, and are counted (DD4001), with where they went (DD4003); with 1 they are
 `r.Drydock.SceneColorClamp V`, off by default, comes first and loads red, green and blue within -V .. V, infinities too; NaN
 it leaves to the policy.
 
-**Denormals.** Shaders of float flush them to 0, on input and on output; stores keep denormal halves. The control word of the
-thread is as it was after every pass.
+**Denormals.** Shaders of float flush them to 0, on input and on output; stores keep denormal halves. A `double` in such a
+shader keeps them, as Direct3D has it; made a float, it is flushed. The control word of the thread is as it was after every
+pass.
 )";
 
 constexpr const char* AboutScene = R"(

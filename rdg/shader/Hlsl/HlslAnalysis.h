@@ -15,11 +15,11 @@ struct FAnalysisOptions
 {
 	std::string EntryPoint;
 	EStage Stage = EStage::Compute;
-	bool bRealHalf = false;    // half is float16_t
+	bool bRealHalf = false;      // half is float16_t
 	bool bFloatLiterals = false; // HLSL 202x: a literal without a suffix is a float
-	bool bFxcRules = false; // shader model 5: ?:, && and || take vectors, and all their sides are run
-	std::string VirtualPath;   // of the shader, for messages without a place
-	bool bAllLoose = false;    // parameters at file scope that nothing names are made beside those that something does
+	bool bFxcRules = false;      // shader model 5: ?:, && and || take vectors, and all their sides are run
+	std::string VirtualPath;     // of the shader, for messages without a place
+	bool bAllLoose = false; // parameters at file scope that nothing names are made beside those that something does
 	/** "View.Foo" of a uniform buffer: the buffer's name and its members; X.Member is the variable X_Member of the
 	 * text, where the text declares no X of its own. */
 	std::vector<std::pair<std::string, std::vector<std::string>>> UniformBuffers;

@@ -328,7 +328,7 @@ uint32_t FEmitter::CounterOf(FLeaf& Leaf)
 	return Leaf.Counter;
 }
 
-/** The same memory as numbers of another width. Of is the word in its name. */
+/** The same memory as numbers of another width. Its name has the word Of. */
 uint32_t FEmitter::ViewOf(FLeaf& Leaf, const std::string& Of, EScalar Scalar)
 {
 	uint32_t& Id = Leaf.Views[Of];

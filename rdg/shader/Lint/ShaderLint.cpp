@@ -84,7 +84,7 @@ private:
 	std::set<uint32_t> Stored;                           // variables of images that some instruction writes
 };
 
-/** What a pixel shader gets, in the order of its registers. */
+/** Adds the inputs of a pixel shader, in the order of their registers. */
 void AddInputs(const Hlsl::FType& Type, const std::string& Semantic, const Hlsl::FPlace& Place,
 	std::vector<std::pair<std::string, Hlsl::FPlace>>& Inputs)
 {
