@@ -98,8 +98,8 @@ struct FFound
  * gives to AddShaderSourceDirectoryMapping. */
 void MapPluginOf(const fs::path& File)
 {
-	static const std::regex Mapping(R"(AddShaderSourceDirectoryMapping\s*\(\s*(?:TEXT\s*\(\s*)?"(/[^"]+)") ");
-		std::error_code Error;
+	static const std::regex Mapping(R"x(AddShaderSourceDirectoryMapping\s*\(\s*(?:TEXT\s*\(\s*)?"(/[^"]+)")x");
+	std::error_code Error;
 	fs::path Plugin = File;
 	std::string Name;
 	while (Name.empty() && Plugin.has_relative_path())
