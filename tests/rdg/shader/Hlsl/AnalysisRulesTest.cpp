@@ -101,12 +101,14 @@ const std::vector<FRule> Rules = {
 		"12:45: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets it"},
 	{EStage::Compute, "", "float4 X; X.xy = 1; X[2] = 2; Out[0] = X.y + X.z;", ""},
 	{EStage::Compute, "", "float4 X; X.xy = 1; X[2] = 2; Out[0] = dot(X, X);",
-		"12:44: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.w"},
-	{EStage::Compute, "struct S { float A; float2 B; };", "S X; X.A = 1; X.B.x = 2; S Y = X; Out[0] = Y.A;", ""},
-	{EStage::Compute, "struct S { float A; float2 B; };", "S X; X.A = 1; Out[0] = X.B.x;",
-		"12:24: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.B"},
+		"12:45: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.w"},
+	{EStage::Compute, "struct FParts { float A; float2 B; };",
+		"FParts X; X.A = 1; X.B.x = 2; FParts Y = X; Out[0] = Y.A;", ""},
+	{EStage::Compute, "struct FParts { float A; float2 B; };", "FParts X; X.A = 1; Out[0] = X.B.x;",
+		"12:32: warning X4000: use of potentially uninitialized variable 'X': not every path to here sets X.B"},
 	{EStage::Compute, "void F(uint I, out float A)\n{ if (I) { A = 1; return; }\n}", "float X; F(P.x, X); Out[0] = X;",
-		"1:1: warning X3508: output parameter 'A' not completely initialized: not every way to the function's end sets "
+		"8:26: warning X3508: output parameter 'A' not completely initialized: not every way to the function's end "
+		"sets "
 		"A"},
 	{EStage::Compute, "void F(uint I, out float3 A) { A.xy = 1; A.z = I; }", "float3 X; F(P.x, X); Out[0] = X.x;", ""},
 	{EStage::Compute, "int4 Count;", "Count.x = 3; Out[0] = Count;",
