@@ -90,15 +90,20 @@ FOptimiseSize MeasureInlined(const FWords& Words)
 
 /** The optimiser drops loops without an effect, those without an end too: each header gets an effect. It makes 0 of
  * what is divided by 0, ends by a signal at the least number divided by -1, and makes x / -2 of -(x / 2), which is
- * wrong for uint: divisions of integers are hidden. */
+ * wrong for uint: divisions of integers are hidden, but for remainders of safe constants. */
 FWords HideFromOptimiser(const FWords& Words)
 {
 	FWords Result(Words.begin(), Words.begin() + HeaderWords);
 	AddWords(Result, OpCapability, {CapabilityRoundingModeRTE}); // nothing of floats is folded in such a module
+	std::map<uint32_t, uint32_t> Numbers;
 	ForEachOptimised(Words,
 		[&](size_t First, uint32_t Count)
 		{
 			const uint16_t Opcode = uint16_t(Words[First]);
+			if (Opcode == OpConstant && Count == 4)
+			{
+				Numbers[Words[First + 2]] = Words[First + 3];
+			}
 			if (Opcode == OpLoopMerge)
 			{
 				Result.push_back(1u << 16 | OptimiseMark);
@@ -107,7 +112,11 @@ FWords HideFromOptimiser(const FWords& Words)
 			const auto Hidden = std::ranges::find(OptimiseHidden, Opcode, [](const auto& Pair) { return Pair.first; });
 			if (Hidden != std::end(OptimiseHidden))
 			{
-				Result[Result.size() - Count] = Count << 16 | Hidden->second;
+				const auto Divisor = Numbers.find(Words[First + 4]);
+				const bool bRemainder = Opcode == OpSRem || Opcode == OpUMod;
+				const bool bSafe =
+					bRemainder && Divisor != Numbers.end() && Divisor->second != 0 && Divisor->second != ~0u;
+				Result[Result.size() - Count] = Count << 16 | (bSafe ? Opcode : Hidden->second);
 			}
 		});
 	return Result;
