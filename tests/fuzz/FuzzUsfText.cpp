@@ -1,4 +1,6 @@
-// libFuzzer's entry for .usf text, and a mutator that also puts in words that mean something to the text stages.
+// libFuzzer's entry for .usf text, and a mutator that also puts in words that mean something to the text stages, and
+// HLSL by a grammar.
+#include "FuzzHlslGrammar.h"
 #include "FuzzUsfChecks.h"
 
 #include <cstdint>
@@ -12,15 +14,24 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* Data, size_t Size, size_t Max
 	static const char* const Words[] = {"\n#include \"A.ush\"\n", "#include \"/Fuzz/B.ush\"\n", "\n//@ /Fuzz/A.ush\n",
 		"\n//@ /Fuzz/B.ush\n", "\n//@ messages\n", "\n//@ uniform View A\n", "\n//@ define X 1\n", "View.A", "/*", "*/",
 		"//", "\"", "\\\n", "\r\n", "#if 1\n", "#ifdef X\n", "#endif\n", "#pragma once\n",
-		"ERROR: /Fuzz/Main.usf:3: ", "'View_B' : unknown variable", "ByteAddressBuffer B", "\xEF\xBB\xBF",
-		"Entry point not found"};
+		"/Fuzz/Main.usf:3:1: error: ", "ByteAddressBuffer B", "\xEF\xBB\xBF"};
+	static const Drydock::FFuzzGrammar Grammar;
 	std::mt19937 Random(Seed);
-	if (Random() % 3)
+	const uint32_t Kind = Random() % 6;
+	if (Kind < 2)
 	{
 		return LLVMFuzzerMutate(Data, Size, MaxSize);
 	}
 	std::string Text(reinterpret_cast<const char*>(Data), Size);
-	Text.insert(Random() % (Text.size() + 1), Words[Random() % std::size(Words)]);
+	if (Kind == 2)
+	{
+		Text = Grammar.Write("Unit", Random);
+	}
+	else
+	{
+		Text.insert(
+			Random() % (Text.size() + 1), Kind == 3 ? Words[Random() % std::size(Words)] : Grammar.WriteAny(Random));
+	}
 	Text.resize(std::min(Text.size(), MaxSize));
 	std::memcpy(Data, Text.data(), Text.size());
 	return Text.size();

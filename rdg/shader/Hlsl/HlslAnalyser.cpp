@@ -301,7 +301,7 @@ void FAnalyser::VisitCalls(FFunction* Root, std::map<const FFunction*, int>& Sta
 		if (State[Callee] == 1)
 		{
 			const auto First =
-				std::ranges::find_if(Stack, [&Callee](const auto& Each) { return Each.first == Callee; });
+				std::ranges::find_if(Stack, [&Callee = Callee](const auto& Each) { return Each.first == Callee; });
 			std::string Cycle;
 			for (auto It = First; It != Stack.end(); ++It)
 			{

@@ -2,6 +2,7 @@
 // clang.
 #include <gtest/gtest.h>
 
+#include "fuzz/FuzzHlslGrammar.h"
 #include "fuzz/FuzzUsfChecks.h"
 
 namespace
@@ -66,6 +67,29 @@ TEST(UsfFuzzCorpus, HoldsDamaged)
 			ASSERT_EQ("", CheckUsfText(Damaged, Modules)) << Damaged;
 		}
 	}
+}
+
+TEST(UsfFuzzCorpus, HoldsForTheGrammar)
+{
+	const auto Modules = ReadModules(Corpus + "spirv");
+	const FFuzzGrammar Grammar;
+	std::mt19937 Random(38);
+	int NumCompiled = 0;
+	for (int Round = 0; Round < 400; ++Round)
+	{
+		const std::string Text = Grammar.Write("Unit", Random);
+		ASSERT_EQ("", CheckUsfText(Text, Modules)) << Text;
+		try
+		{
+			const FUsfInput Input = ReadUsfInput(Text);
+			NumCompiled += !CompileToSpirv(FlattenShader(Input.Request), Input.Request).empty();
+		}
+		catch (const FError&)
+		{
+			continue;
+		}
+	}
+	EXPECT_GT(NumCompiled, 60);
 }
 
 TEST(UsfFuzzCorpus, ALineThatMovesIsFound)
