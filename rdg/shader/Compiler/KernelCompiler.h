@@ -8,10 +8,6 @@
 namespace Drydock
 {
 
-/** Part of every cache key. Bump it when the tier gives another result for the same text: other code, another layout,
- *  another message of the reflection. */
-constexpr int GShaderTierVersion = 12;
-
 /** DRYDOCK_CXX, else the compiler that built the library, else g++, clang++ or c++; empty when none is there. */
 std::string FindKernelCompiler();
 

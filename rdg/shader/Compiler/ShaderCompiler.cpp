@@ -29,6 +29,11 @@ namespace Drydock
 namespace
 {
 
+/** Of the tier's own text (CMakeLists.txt). */
+constexpr const char* ShaderTierHash =
+#include "ShaderTierHash.inl"
+	;
+
 /** One request in memory. Requests for the same shader wait for the first. */
 template<typename T>
 struct TSlot
@@ -151,7 +156,7 @@ std::string HashRequest(const FShaderCompileRequest& Request)
 std::string HashSource(const FShaderSource& Source, const FShaderCompileRequest& Request, const std::string& Build)
 {
 	FContentHash Hash;
-	Hash.Add(std::to_string(GShaderTierVersion));
+	Hash.Add(ShaderTierHash);
 	Hash.Add(Source.Text);
 	Hash.Add(Request.EntryPoint);
 	Hash.Add(std::to_string(int(Request.Stage)));

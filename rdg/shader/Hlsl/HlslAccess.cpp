@@ -133,7 +133,16 @@ FValue* FAnalyser::MakeField(FValue* Object, FSymbol& Field, const FPlace& Place
 	Value->Index = Field.Index;
 	Value->bPlace = Object->bPlace && !Object->Type->IsObject();
 	Value->bConst = Object->bConst || (Type->Struct->Members[Field.Index].Modifiers & ModifierConst) != 0;
-	return Simplify(Value);
+	if (Field.Bits.Count == 0)
+	{
+		return Simplify(Value);
+	}
+	FValue* const Bits =
+		Make(EValue::Bits, Types->Scalar(Field.Bits.bSigned ? EScalar::Int : EScalar::Uint), Place, {Value});
+	Bits->Bits = Field.Bits;
+	Bits->bPlace = Value->bPlace;
+	Bits->bConst = Value->bConst;
+	return Bits;
 }
 
 FValue* FAnalyser::MakeSwizzle(FValue* Object, std::string_view Text, const FPlace& Place)

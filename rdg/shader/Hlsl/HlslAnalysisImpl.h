@@ -116,6 +116,7 @@ private:
 	const FType* CompleteEnum(FSymbol& Symbol);
 	FStructInfo* MakeStruct(const FStruct& Struct, FNameScope& Scope, const std::string& Name, uint32_t Order);
 	const FType* CompleteStruct(FStructInfo& Info, const FPlace& Place);
+	bool AddBits(const FDeclaration& Declaration, FStructInfo& Info, FStructType& Type, FSymbol* Field);
 	void AddMembers(FStructInfo& Info, FStructType& Type);
 	FVariable* FindGlobal(FSymbol& Symbol);
 	void MakeGlobal(FSymbol& Symbol, FVariable& Variable);

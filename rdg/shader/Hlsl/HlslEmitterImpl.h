@@ -83,6 +83,7 @@ struct FTarget
 	uint32_t Level = 0;         // of a texel that is read
 	std::vector<uint8_t> Parts; // of Type, a vector; empty: all
 	uint32_t Component = 0;     // an index into what Parts leave; 0: none
+	FBits Bits;                 // of Type, a uint
 };
 
 /** The function that is written. */
@@ -232,6 +233,8 @@ private:
 	FTarget Component(FTarget Target, uint32_t Index);
 	uint32_t Load(const FTarget& Target);
 	uint32_t LoadWhole(const FTarget& Target);
+	uint32_t BitsOf(uint32_t Id, const FBits& Bits);
+	void StoreBits(FTarget Target, uint32_t Id);
 	void Store(const FTarget& Target, uint32_t Id);
 	uint32_t PointerTo(const FTarget& Target, uint32_t Base, uint32_t Storage);
 	void StoreParts(const FTarget& Target, uint32_t Id);

@@ -1,6 +1,8 @@
 // Places: variables, members of buffers, elements and texels, and the parts of them that are read and written.
 #include "HlslEmitterImpl.h"
 
+#include <utility>
+
 namespace Drydock::Hlsl
 {
 
@@ -73,6 +75,12 @@ FTarget FEmitter::Place(const FValue& Node)
 			Parts.push_back(Target.Parts.empty() ? Part : Target.Parts[Part]);
 		}
 		Target.Parts = std::move(Parts);
+		return Target;
+	}
+	case EValue::Bits:
+	{
+		FTarget Target = Place(*Node.Operands[0]);
+		Target.Bits = Node.Bits;
 		return Target;
 	}
 	case EValue::Elements:
@@ -340,13 +348,46 @@ uint32_t FEmitter::Load(const FTarget& Target)
 		Id = Shuffle(Id, Target.Type->Scalar, Count, Target.Parts);
 		Count = uint32_t(Target.Parts.size());
 	}
+	if (Target.Bits.Count)
+	{
+		return BitsOf(Id, Target.Bits);
+	}
 	return Target.Component && Count > 1
 			   ? Op(OpVectorExtractDynamic, ScalarType(Target.Type->Scalar), {Id, Target.Component})
 			   : Id;
 }
 
+/** A bit field of a uint, with its sign. */
+uint32_t FEmitter::BitsOf(uint32_t Id, const FBits& Bits)
+{
+	const uint32_t Type = ScalarType(EScalar::Uint);
+	const uint32_t High = Op(OpShiftLeftLogical, Type, {Id, Module.Int(32 - Bits.First - Bits.Count)});
+	const uint32_t Down = Module.Int(32 - Bits.Count);
+	return Bits.bSigned ? Op(OpShiftRightArithmetic, ScalarType(EScalar::Int),
+							  {Bitwise(High, EScalar::Uint, EScalar::Int), Down})
+						: Op(OpShiftRightLogical, Type, {High, Down});
+}
+
+/** A bit field is read, changed and written. */
+void FEmitter::StoreBits(FTarget Target, uint32_t Id)
+{
+	const FBits Bits = std::exchange(Target.Bits, {});
+	const uint32_t Mask = (~0u >> (32 - Bits.Count)) << Bits.First;
+	const uint32_t Type = ScalarType(EScalar::Uint);
+	const uint32_t New = Bits.bSigned ? Bitwise(Id, EScalar::Int, EScalar::Uint) : Id;
+	const uint32_t Moved = Op(OpShiftLeftLogical, Type, {New, Module.Int(Bits.First)});
+	const uint32_t Kept = Op(OpBitwiseAnd, Type, {Load(Target), ScalarConstant(EScalar::Uint, ~Mask)});
+	const uint32_t Set = Op(OpBitwiseAnd, Type, {Moved, ScalarConstant(EScalar::Uint, Mask)});
+	Store(Target, Op(OpBitwiseOr, Type, {Kept, Set}));
+}
+
 void FEmitter::Store(const FTarget& Target, uint32_t Id)
 {
+	if (Target.Bits.Count)
+	{
+		StoreBits(Target, Id);
+		return;
+	}
 	if (Target.Component)
 	{
 		FTarget Vector = Target;

@@ -100,6 +100,8 @@ uint32_t FEmitter::ValueOf(const FValue& Node)
 		return CountScalars(Node.Type) == 0             ? 0
 			   : IsPlace(Node) || NeedsEmitMemory(Node) ? Load(Place(Node))
 														: PartOf(Node);
+	case EValue::Bits:
+		return BitsOf(Value(*Node.Operands[0]), Node.Bits);
 	case EValue::Unary:
 		return Negate(Node.Operator, Node.Type, Value(*Node.Operands[0]));
 	case EValue::Binary:

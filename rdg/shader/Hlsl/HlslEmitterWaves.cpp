@@ -245,8 +245,9 @@ void FEmitter::AtomicOn(const FTarget& Target, std::string_view Name, ENumber Ki
 uint32_t FEmitter::Interlocked(const FValue& Node)
 {
 	const FTarget Target = Place(*Node.Operands[0]);
-	const bool bWhole = Target.Parts.empty() && !Target.Component && Target.Type->IsNumeric() &&
-						!Target.Type->IsMatrix() && Target.Type->Columns == 1 && Target.Kind != FTarget::EKind::Scalars;
+	const bool bWhole = Target.Parts.empty() && !Target.Component && Target.Bits.Count == 0 &&
+						Target.Type->IsNumeric() && !Target.Type->IsMatrix() && Target.Type->Columns == 1 &&
+						Target.Kind != FTarget::EKind::Scalars;
 	const bool bShared =
 		Target.Kind == FTarget::EKind::Texel || Target.Storage == StorageUniform || Target.Storage == StorageWorkgroup;
 	if (!bWhole || !bShared)

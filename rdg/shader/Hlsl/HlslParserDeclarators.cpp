@@ -214,13 +214,15 @@ void FParser::ParseVariable(FDeclaration& Variable, EWhere Where)
 	{
 		if (Is(":"))
 		{
-			if (Where == EWhere::Member && At(1).Kind == EToken::Number)
-			{
-				Fail(At(1).Place, "X3000: syntax error: unexpected token '" + std::string(At(1).Text.substr(0, 40)) +
-									  "'; bit fields are not supported: take bits with >> and &");
-			}
 			Next();
-			ParseAnnotation(Variable.Annotations);
+			if (Where == EWhere::Member && (At().Kind == EToken::Number || Is("(")))
+			{
+				Variable.Width = ParseConditional();
+			}
+			else
+			{
+				ParseAnnotation(Variable.Annotations);
+			}
 		}
 		else if (Is("<"))
 		{

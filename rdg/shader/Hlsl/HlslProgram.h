@@ -64,6 +64,7 @@ enum class EValue : uint8_t
 	Element, // Operands[0] [Operands[1]]: a place in a resource: RWTexture, RWBuffer, RWStructuredBuffer, or a value
 			 // read from a resource that is read only. The index is an integer vector of as many components as the
 			 // resource has dimensions
+	Bits,    // a bit field: the bits Bits of the uint Operands[0]
 	Swizzle, // components Parts of Operands[0], a scalar or vector
 	Elements, // elements Parts of Operands[0], a matrix, each as row * 4 + column
 	Unary,    // Operator: - ! ~, by components; the operand has the type of the result
@@ -89,6 +90,14 @@ enum class EValue : uint8_t
 	String, // Text
 };
 
+/** A bit field's place in a uint. */
+struct FBits
+{
+	uint8_t First = 0;
+	uint8_t Count = 0; // 0: it is not a bit field
+	bool bSigned = false;
+};
+
 struct FValue
 {
 	EValue Kind = EValue::Constant;
@@ -99,6 +108,7 @@ struct FValue
 	bool bPostfix = false;
 	bool bPrecise = false;
 	uint32_t Index = 0;
+	FBits Bits;
 	std::string_view Operator;
 	std::string_view Name;
 	FVariable* Variable = nullptr;

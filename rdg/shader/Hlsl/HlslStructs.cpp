@@ -99,6 +99,38 @@ const FType* FAnalyser::CompleteStruct(FStructInfo& Info, const FPlace& Place)
 	return Info.Type;
 }
 
+/** Puts a bit field behind the one before it, in the same integer where there is room. */
+bool FAnalyser::AddBits(const FDeclaration& Declaration, FStructInfo& Info, FStructType& Type, FSymbol* Field)
+{
+	constexpr uint32_t Most = 32;
+	const std::string Name = "the bit field '" + std::string(Declaration.Name.Last()) + "'";
+	const FType* const Own = FindDeclaredType(Declaration);
+	const int64_t Width = FindInteger(*Declaration.Width, "the width of " + Name).value_or(0);
+	const bool bInteger = Own->IsScalar() && (Own->Scalar == EScalar::Int || Own->Scalar == EScalar::Uint);
+	if (!bInteger || Width < 1 || Width > Most)
+	{
+		Error(Declaration.Place, Name + " is of int or uint and has 1 to 32 bits");
+		return false;
+	}
+	const bool bFits = Info.NumBits > 0 && Info.NumBits + Width <= Most;
+	if (!bFits)
+	{
+		FMember Member;
+		Member.Name = std::string(Declaration.Name.Last());
+		Member.Type = Types->Scalar(EScalar::Uint);
+		Member.Place = Declaration.Place;
+		Type.Members.push_back(std::move(Member));
+		Info.NumBits = 0;
+	}
+	if (Field)
+	{
+		Field->Index = uint32_t(Type.Members.size()) - 1;
+		Field->Bits = {uint8_t(Info.NumBits), uint8_t(Width), Own->Scalar == EScalar::Int};
+	}
+	Info.NumBits += uint32_t(Width);
+	return !bFits;
+}
+
 void FAnalyser::AddMembers(FStructInfo& Info, FStructType& Type)
 {
 	if (Info.Tree->Bases.size() > 1)
@@ -127,14 +159,21 @@ void FAnalyser::AddMembers(FStructInfo& Info, FStructType& Type)
 		{
 			continue;
 		}
+		const auto Field = Info.Scope->Symbols.find(Declaration->Name.Last());
+		const bool bField = Field != Info.Scope->Symbols.end() && Field->second.Declaration == Declaration;
+		if (Declaration->Width)
+		{
+			Info.NumLeaves += AddBits(*Declaration, Info, Type, bField ? &Field->second : nullptr);
+			continue;
+		}
+		Info.NumBits = 0;
 		FMember Member;
 		Member.Name = std::string(Declaration->Name.Last());
 		Member.Type = FindDeclaredType(*Declaration);
 		Member.Place = Declaration->Place;
 		Member.Semantic = FindSemantic(Declaration->Annotations);
 		Member.Modifiers = Declaration->Modifiers | Declaration->Type->Modifiers;
-		const auto Field = Info.Scope->Symbols.find(Declaration->Name.Last());
-		if (Field != Info.Scope->Symbols.end() && Field->second.Declaration == Declaration)
+		if (bField)
 		{
 			Field->second.Index = uint32_t(Type.Members.size());
 		}

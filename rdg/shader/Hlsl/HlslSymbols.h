@@ -77,6 +77,7 @@ struct FSymbol
 	FPlace Place;
 	uint32_t Order = 0; // what stands before this in the text cannot name it; 0: all can
 	uint32_t Index = 0;
+	FBits Bits;
 	bool bBusy = false;     // to find what depends on itself
 	bool bPrepared = false; // Overloads are signed and merged
 	FVariable* Variable = nullptr;
@@ -134,6 +135,7 @@ struct FStructInfo
 	FStructInfo* Base = nullptr;
 	bool bBusy = false;
 	uint64_t NumLeaves = 0;
+	uint32_t NumBits = 0; // of the last member that bit fields have taken; 0: it is an ordinary one
 	FSymbol* Template = nullptr;
 	std::vector<FTemplateValue> Arguments;
 };

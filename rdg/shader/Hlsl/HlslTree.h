@@ -231,6 +231,7 @@ struct FDeclaration
 	FTypeName* Type = nullptr;            // of the variable; what the function returns
 	std::vector<FExpression*> Dimensions; // of a variable; null: []
 	FExpression* Value = nullptr;         // initializer or default argument
+	FExpression* Width = nullptr;         // bits of a bit field
 	bool bConstructed = false;            // the initializer stands in braces without a =
 	std::vector<FAnnotation> Annotations;
 	std::vector<FAttribute> Attributes;

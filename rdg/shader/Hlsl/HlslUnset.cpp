@@ -384,6 +384,7 @@ private:
 			Write(Value->Operands[0]);
 			break;
 		case EValue::Member:
+		case EValue::Bits:
 		case EValue::Swizzle:
 		case EValue::Elements:
 			Write(Value->Operands[0]);

@@ -231,8 +231,9 @@ namespace
 const FValue* FindRoot(const FValue* Value)
 {
 	while (Value->Kind == EValue::Member || Value->Kind == EValue::Index || Value->Kind == EValue::Swizzle ||
-		   Value->Kind == EValue::Elements || Value->Kind == EValue::Element || Value->Kind == EValue::Assign ||
-		   Value->Kind == EValue::Modify || Value->Kind == EValue::Step || Value->Kind == EValue::Comma)
+		   Value->Kind == EValue::Elements || Value->Kind == EValue::Element || Value->Kind == EValue::Bits ||
+		   Value->Kind == EValue::Assign || Value->Kind == EValue::Modify || Value->Kind == EValue::Step ||
+		   Value->Kind == EValue::Comma)
 	{
 		Value = Value->Operands[Value->Kind == EValue::Comma ? 1 : 0];
 	}
@@ -260,7 +261,7 @@ std::string ExplainPlace(const FValue* Value)
 				   std::string(At->Operands[0]->Type->ObjectName);
 		}
 		const bool bInside = At->Kind == EValue::Member || At->Kind == EValue::Index || At->Kind == EValue::Swizzle ||
-							 At->Kind == EValue::Elements || At->Kind == EValue::Element;
+							 At->Kind == EValue::Elements || At->Kind == EValue::Element || At->Kind == EValue::Bits;
 		if (!bInside)
 		{
 			break;

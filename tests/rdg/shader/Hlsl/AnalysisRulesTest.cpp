@@ -111,6 +111,12 @@ const std::vector<FRule> Rules = {
 		"sets "
 		"A"},
 	{EStage::Compute, "void F(uint I, out float3 A) { A.xy = 1; A.z = I; }", "float3 X; F(P.x, X); Out[0] = X.x;", ""},
+	{EStage::Compute, "struct FBits { uint A : 4; float B : 8; int C : 33; };", "FBits X;",
+		"8:34: the bit field 'B' is of int or uint and has 1 to 32 bits\n8:45: the bit field 'C' is of int or uint and "
+		"has "
+		"1 to 32 bits"},
+	{EStage::Compute, "struct FBits { uint A : 4; uint B : 8; };", "FBits X; X.A = 1; X.B = 2; Out[0] = X.A + X.B;",
+		""},
 	{EStage::Compute, "int4 Count;", "Count.x = 3; Out[0] = Count;",
 		"12:8: warning X3025: global variables are implicitly constant: 'Count' is a parameter of the shader, which "
 		"DXC refuses to write; copy it into a local variable"},

@@ -220,6 +220,8 @@ public:
 			}
 			return Operand(0) + "." + Parts;
 		}
+		case EValue::Bits:
+			return Operand(0) + "{" + std::to_string(Value.Bits.First) + ":" + std::to_string(Value.Bits.Count) + "}";
 		case EValue::Unary:
 			return Operator + Operand(0);
 		case EValue::Binary:
