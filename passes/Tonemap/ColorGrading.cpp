@@ -1,5 +1,5 @@
-// White balance, and the ranges of colour grading with the global values in them. Source: CIE 15, Krystek 1985,
-// Bradford adaptation; engine file PostProcessCombineLUTs.cpp (meaning).
+// White balance, and the ranges of colour grading with the global values in them. Source: CIE 15, Krystek 1985; engine
+// file PostProcessCombineLUTs.cpp (meaning).
 #include "Tonemap/ColorGrading.h"
 
 #include <algorithm>
@@ -20,42 +20,6 @@ struct FChromaticity
 
 constexpr FChromaticity D65{0.3127, 0.3290};
 constexpr double NeutralTemperature = 6500.0;
-
-FColorMatrix Multiply(const FColorMatrix& A, const FColorMatrix& B)
-{
-	FColorMatrix Product{};
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		for (size_t Column = 0; Column < 3; ++Column)
-		{
-			for (size_t Index = 0; Index < 3; ++Index)
-			{
-				Product[Row][Column] += A[Row][Index] * B[Index][Column];
-			}
-		}
-	}
-	return Product;
-}
-
-/** By cofactors. */
-FColorMatrix Invert(const FColorMatrix& M)
-{
-	const auto Cofactor = [&M](size_t Row, size_t Column)
-	{
-		const size_t R0 = (Row + 1) % 3, R1 = (Row + 2) % 3, C0 = (Column + 1) % 3, C1 = (Column + 2) % 3;
-		return M[R0][C0] * M[R1][C1] - M[R0][C1] * M[R1][C0];
-	};
-	const double Determinant = M[0][0] * Cofactor(0, 0) + M[0][1] * Cofactor(0, 1) + M[0][2] * Cofactor(0, 2);
-	FColorMatrix Inverse{};
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		for (size_t Column = 0; Column < 3; ++Column)
-		{
-			Inverse[Row][Column] = Cofactor(Column, Row) / Determinant;
-		}
-	}
-	return Inverse;
-}
 
 /** Linear Rec.709 to XYZ, from the primaries of ITU-R BT.709 and D65. */
 const FColorMatrix& GetRec709ToXYZ()
@@ -119,25 +83,6 @@ FChromaticity GetWhite(double Temperature, double Tint)
 	return {Light.X + Shifted.X - BlackBody.X, Light.Y + Shifted.Y - BlackBody.Y};
 }
 
-/** Bradford: what looks white under From looks white under To. */
-FColorMatrix MakeAdaptation(const FChromaticity& From, const FChromaticity& To)
-{
-	const FColorMatrix Cone = {{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-	const auto ToCone = [&Cone](const FChromaticity& White)
-	{
-		const std::array<double, 3> XYZ = {White.X / White.Y, 1.0, (1.0 - White.X - White.Y) / White.Y};
-		std::array<double, 3> Response{};
-		for (size_t Row = 0; Row < 3; ++Row)
-		{
-			Response[Row] = Cone[Row][0] * XYZ[0] + Cone[Row][1] * XYZ[1] + Cone[Row][2] * XYZ[2];
-		}
-		return Response;
-	};
-	const std::array<double, 3> A = ToCone(From), B = ToCone(To);
-	const FColorMatrix Scale = {{{B[0] / A[0], 0, 0}, {0, B[1] / A[1], 0}, {0, 0, B[2] / A[2]}}};
-	return Multiply(Invert(Cone), Multiply(Scale, Cone));
-}
-
 /** A range's value with the global one: both X, Y, Z, and W for all three. */
 FVector3f Combine(const FVector4& Global, const FVector4& Range)
 {
@@ -168,8 +113,9 @@ FColorMatrix ComputeWhiteBalance(double Temperature, double Tint, ETemperatureMe
 		return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 	}
 	const FChromaticity Light = GetWhite(std::clamp(Temperature, 1500.0, 15000.0), Tint);
+	const FColorVector White = MakeWhite(D65.X, D65.Y), Lit = MakeWhite(Light.X, Light.Y);
 	const FColorMatrix Adaptation =
-		Method == TEMP_ColorTemperature ? MakeAdaptation(D65, Light) : MakeAdaptation(Light, D65);
+		Method == TEMP_ColorTemperature ? MakeAdaptation(White, Lit) : MakeAdaptation(Lit, White);
 	return Multiply(Invert(GetRec709ToXYZ()), Multiply(Adaptation, GetRec709ToXYZ()));
 }
 

@@ -5,14 +5,12 @@
 
 #include "CoreMinimal.h"
 #include "PostProcessSettings.h"
+#include "Tonemap/ColorMatrix.h"
 
 #include <array>
 
 namespace Drydock
 {
-
-/** Rows of a matrix on column vectors. */
-using FColorMatrix = std::array<std::array<double, 3>, 3>;
 
 /** The matrix acts on linear Rec.709. TEMP_WhiteBalance: a surface that looks white under a light of Temperature (K)
  * and Tint comes out white. TEMP_ColorTemperature: white comes out as that light. Tint moves along the line of equal

@@ -68,8 +68,7 @@ void WriteContributions(FJsonWriter& Writer, const FFinalPostProcessSettings& Se
 
 std::string MakeBlendJson(const FBlendReport& Report, const std::vector<size_t>& Settings)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("location", {Report.Location.X, Report.Location.Y, Report.Location.Z});
 	Writer.Member("locationFrom", Report.LocationFrom);
 	Writer.Key("settings").BeginObject();
@@ -95,7 +94,6 @@ std::string MakeBlendJson(const FBlendReport& Report, const std::vector<size_t>&
 			Writer.Object(
 				{{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Diagnostic.Where}});
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -7,6 +7,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/GlobPattern.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -124,17 +125,8 @@ private:
 	std::vector<FRow> Rows;
 };
 
-/** "A, B, C and 7 more". */
-std::string ListSome(const std::vector<std::string>& Names)
-{
-	constexpr size_t MaxNamed = 6;
-	std::string Text;
-	for (size_t Index = 0; Index < std::min(Names.size(), MaxNamed); ++Index)
-	{
-		Text += (Index > 0 ? ", " : "") + Names[Index];
-	}
-	return Names.size() > MaxNamed ? Text + " and " + std::to_string(Names.size() - MaxNamed) + " more" : Text;
-}
+/** How many a line names. */
+constexpr size_t MaxNamed = 6;
 
 std::string PrintVolumes(const FBlendReport& Report, bool bColorful)
 {
@@ -188,7 +180,7 @@ void AddStory(const FBlendReport& Report, size_t FieldIndex, FColumns& Columns)
 	}
 	if (!Inert.empty())
 	{
-		Columns.Add({{"-", "override off", "", ListSome(Inert)}, true});
+		Columns.Add({{"-", "override off", "", ListSome(Inert, MaxNamed)}, true});
 	}
 }
 
@@ -224,7 +216,7 @@ std::string PrintRest(const FBlendReport& Report, const std::vector<size_t>& Cha
 		Changed.empty() ? "settings: all" : "other settings");
 	if (!Named.empty())
 	{
-		Text += "named, but nothing that names them acts here: " + ListSome(Named) + "\n";
+		Text += "named, but nothing that names them acts here: " + ListSome(Named, MaxNamed) + "\n";
 	}
 	return Text;
 }

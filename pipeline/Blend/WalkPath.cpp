@@ -4,11 +4,11 @@
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "Picture/ImageFile.h"
+#include "RangeTools.h"
 #include "SceneFile/SceneSuggestions.h"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace Drydock
@@ -53,7 +53,7 @@ FPathPoint ReadPoint(const FJsonValue& Value, size_t Index, FConfigMessages& Mes
 	}
 	for (const auto& [Key, Member] : Value.Members)
 	{
-		if (std::find(PointKeys.begin(), PointKeys.end(), Key) == PointKeys.end())
+		if (!Contains(PointKeys, Key))
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key" + Messages.Suggest(Key, PointKeys));
 		}

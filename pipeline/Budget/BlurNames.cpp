@@ -1,7 +1,7 @@
 // Lists the blurs that a study can compare and the formats in which they store.
 #include "Budget/BlurNames.h"
 
-#include <algorithm>
+#include "RangeTools.h"
 
 namespace Drydock
 {
@@ -27,8 +27,7 @@ const std::vector<FBlurAlgorithm>& GetBlurAlgorithms()
 const FBlurAlgorithm* FindBlurAlgorithm(const std::string& Name)
 {
 	const std::vector<FBlurAlgorithm>& Algorithms = GetBlurAlgorithms();
-	const auto Found = std::ranges::find(Algorithms, Name, &FBlurAlgorithm::Name);
-	return Found == Algorithms.end() ? nullptr : &*Found;
+	return FindItem(Algorithms, Name, &FBlurAlgorithm::Name);
 }
 
 const std::vector<std::string>& GetBlurStorages()

@@ -136,7 +136,7 @@ private:
 	void CheckIsOneOf(
 		const FJsonValue& At, const std::string& Value, const std::vector<std::string>& Names, const char* What)
 	{
-		if (std::ranges::find(Names, Value) == Names.end())
+		if (!Contains(Names, Value))
 		{
 			Messages.Error(ErrorUnknownValue, At,
 				std::string("there is no ") + What + " \"" + Value + "\": " + JoinText(Names) +
@@ -194,7 +194,7 @@ private:
 	bool CheckName(const std::string& Name, const FJsonValue& At)
 	{
 		std::vector<std::string> Names = GBlurNames;
-		bool bKnown = std::ranges::find(Names, Name) != Names.end();
+		bool bKnown = Contains(Names, Name);
 		if (!Study.bBlur)
 		{
 			Names = {"precision", "storage"};

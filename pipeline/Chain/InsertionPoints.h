@@ -7,7 +7,6 @@
 #include "PostProcess/PostProcessMaterialInputs.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

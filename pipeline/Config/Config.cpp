@@ -1,7 +1,8 @@
 // Resolves the paths of a config.
 #include "Config/Config.h"
 
-#include <algorithm>
+#include "RangeTools.h"
+
 #include <filesystem>
 
 namespace Drydock
@@ -21,8 +22,7 @@ std::string FConfig::Resolve(const std::string& Path) const
 
 bool HasErrors(const std::vector<FDiagnostic>& Diagnostics)
 {
-	return std::any_of(Diagnostics.begin(), Diagnostics.end(),
-		[](const FDiagnostic& Diagnostic) { return Diagnostic.Severity == ESeverity::Error; });
+	return Contains(Diagnostics, ESeverity::Error, &FDiagnostic::Severity);
 }
 
 } // namespace Drydock

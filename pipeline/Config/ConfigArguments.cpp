@@ -5,6 +5,7 @@
 #include "HAL/ConsoleVariableTools.h"
 #include "PostProcessSettingsReflection.h"
 #include "Scalability.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -182,12 +183,9 @@ void AddExecArgument(FConfig& Config, const std::string& Argument, std::vector<F
 {
 	FConfigMessages Messages(CommandLine, Diagnostics);
 	const size_t NumBefore = Config.Variables.size();
-	size_t Start = 0;
-	while (Start <= Argument.size())
+	for (const std::string& Input : SplitText(Argument, ','))
 	{
-		const size_t Comma = std::min(Argument.find(',', Start), Argument.size());
-		AddConsoleInput(Config, Argument.substr(Start, Comma - Start), Messages);
-		Start = Comma + 1;
+		AddConsoleInput(Config, Input, Messages);
 	}
 	if (Config.Variables.size() == NumBefore)
 	{

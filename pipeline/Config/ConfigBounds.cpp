@@ -61,12 +61,6 @@ const std::map<std::string, std::vector<std::string>>& GetRequiredKeys()
 	return Keys;
 }
 
-double ReadNumber(const FJsonValue& Object, const char* Key)
-{
-	const FJsonValue* Value = Object.Find(Key);
-	return Value != nullptr ? Value->Number : 0.0;
-}
-
 FConfigVector ReadVector(const FJsonValue& Object, const char* Key)
 {
 	FConfigVector Vector = {};
@@ -137,20 +131,17 @@ std::optional<FConfigBounds> ReadConfigBounds(const FJsonValue& Value, FConfigMe
 	{
 		ReadConfigRotator(*Rotation, Bounds.Rotation);
 	}
-	Bounds.Radius = ReadNumber(Value, "radius");
-	Bounds.HalfHeight = ReadNumber(Value, "halfHeight");
-	if (const FJsonValue* Points = Value.Find("points"))
+	Bounds.Radius = Value.GetNumber("radius", 0.0);
+	Bounds.HalfHeight = Value.GetNumber("halfHeight", 0.0);
+	for (const FJsonValue& Point : Value.GetElements("points"))
 	{
-		for (const FJsonValue& Point : Points->Elements)
+		FConfigVector Vector;
+		if (ReadConfigVector(Point, Vector))
 		{
-			FConfigVector Vector;
-			if (ReadConfigVector(Point, Vector))
-			{
-				Bounds.Points.push_back(Vector);
-			}
+			Bounds.Points.push_back(Vector);
 		}
 	}
-	if (Bounds.Shape == EConfigShape::Convex && Value.Find("points")->Elements.empty())
+	if (Bounds.Shape == EConfigShape::Convex && Value.GetElements("points").empty())
 	{
 		Messages.Error(ErrorBadValue, Value, "a convex needs at least one point");
 		return std::nullopt;

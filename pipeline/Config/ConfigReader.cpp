@@ -18,15 +18,7 @@ std::string Suggest(const std::string& Name, const std::vector<std::string>& Can
 void FConfigMessages::Add(
 	ESeverity Severity, int Code, int Line, int Column, const std::string& Pointer, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Severity = Severity;
-	Diagnostic.Code = Code;
-	Diagnostic.Message = Message;
-	Diagnostic.File = File;
-	Diagnostic.Line = Line;
-	Diagnostic.Column = Column;
-	Diagnostic.Where = Pointer;
-	AddDiagnostic(Diagnostics, std::move(Diagnostic));
+	AddDiagnostic(Diagnostics, {Severity, Code, Message, File, Line, Column, Pointer});
 }
 
 } // namespace Drydock

@@ -3,13 +3,11 @@
 
 #include "Config/ConfigKeys.h"
 #include "Config/ConfigSchemaNames.h"
-#include "CurveKeys.h"
 #include "PostProcessSettingsReflection.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -19,9 +17,10 @@ namespace Drydock
 namespace
 {
 
-/** The definitions of vectors, rotators and colours, as text. */
+/** The definitions of vectors, rotators, colours, curves and blendables, as text. */
 constexpr const char* Definitions =
 #include "ConfigSchema.txt"
+#include "RangeTools.h"
 	;
 
 /** Items: the member that describes an item. */
@@ -191,27 +190,6 @@ std::string DescribeSetting(const FSettingField& Field)
 	return Text;
 }
 
-/** Keys, the path of an asset, or null. */
-void WriteCurve(FJsonWriter& Writer)
-{
-	Writer.Member("type", {"object", "string", "null"});
-	Writer.Key("properties").BeginObject();
-	Writer.Key("keys").BeginObject();
-	Writer.Member("description", "[time, value] each, times ascending.");
-	WriteType(Writer, "array");
-	Writer.Member("minItems", 1);
-	Writer.Key("items").BeginObject();
-	WriteArray(Writer, TypeOf("number"), 2);
-	Writer.EndObject();
-	Writer.EndObject();
-	Writer.Key("interp").BeginObject();
-	WriteEnum(Writer, GetCurveInterpNames());
-	Writer.EndObject();
-	Writer.EndObject();
-	Writer.Member("required", {"keys"});
-	Writer.Member("additionalProperties", false);
-}
-
 void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 {
 	static const std::map<ESettingType, FJsonWriter::FMember> Plain = {{ESettingType::Float, TypeOf("number")},
@@ -225,7 +203,7 @@ void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 	case ESettingType::Object:
 		if (std::string_view(Field.ObjectClass) == "CurveFloat")
 		{
-			WriteCurve(Writer);
+			WriteReference(Writer, "curve");
 			break;
 		}
 		Writer.Member("type", {"string", "null"});
@@ -252,22 +230,6 @@ void WriteSettingSchema(FJsonWriter& Writer, const FSettingField& Field)
 	Writer.EndObject();
 }
 
-void WriteBlendables(FJsonWriter& Writer)
-{
-	Writer.Key("WeightedBlendables").BeginObject();
-	Writer.Member("description", "Materials and other objects that are blended in by weight. Not built yet.");
-	WriteType(Writer, "array");
-	Writer.Key("items").BeginObject();
-	WriteType(Writer, "object");
-	Writer.Key("properties").BeginObject();
-	Writer.Key("Object").Object({{"type", std::vector{"string", "null"}}});
-	Writer.Key("Weight").Object({TypeOf("number")});
-	Writer.EndObject();
-	Writer.Member("additionalProperties", false);
-	Writer.EndObject();
-	Writer.EndObject();
-}
-
 void WriteSettingsSchema(FJsonWriter& Writer)
 {
 	Writer.Key("Settings").BeginObject();
@@ -278,7 +240,7 @@ void WriteSettingsSchema(FJsonWriter& Writer)
 	{
 		WriteSettingSchema(Writer, Field);
 	}
-	WriteBlendables(Writer);
+	Writer.Key("WeightedBlendables").Object({ReferTo("blendables")});
 	for (const FSettingField& Field : Fields)
 	{
 		Writer.Key(Field.OverrideName).Object({TypeOf("boolean")});
@@ -306,8 +268,7 @@ void WriteShowFlags(FJsonWriter& Writer)
 
 std::string MakeConfigSchema(const FSchemaNames& Names)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("$schema", "http://json-schema.org/draft-07/schema#");
 	Writer.Member("title", "drydock config");
 	WriteObject(Writer, "", Names);
@@ -315,7 +276,7 @@ std::string MakeConfigSchema(const FSchemaNames& Names)
 	std::vector<std::string> Written = {""};
 	for (const FConfigKey& Key : GetConfigKeys())
 	{
-		if (std::find(Written.begin(), Written.end(), Key.Object) == Written.end())
+		if (!Contains(Written, Key.Object))
 		{
 			Written.emplace_back(Key.Object);
 			Writer.Key(Key.Object).BeginObject();
@@ -327,8 +288,6 @@ std::string MakeConfigSchema(const FSchemaNames& Names)
 	WriteShowFlags(Writer);
 	WriteVariables(Writer);
 	Writer.Raw(Definitions);
-	Writer.EndObject();
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

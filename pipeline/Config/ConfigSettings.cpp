@@ -4,6 +4,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "RangeTools.h"
 #include "SettingObjects.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +46,7 @@ std::string ExpectedText(const FSettingField& Field)
 	case ESettingType::Enum:
 		break;
 	}
-	std::string Text = "one of";
-	for (const char* Name : Field.EnumNames)
-	{
-		Text += std::string(Text.size() > 6 ? ", " : " ") + Name;
-	}
-	return Text;
+	return "one of " + JoinText(Field.EnumNames);
 }
 
 /** Components of a colour or vector, alpha 1 where it is omitted; false when Value is neither array nor object of them.
@@ -135,10 +131,8 @@ bool ReadSettingValue(const FSettingField& Field, const FJsonValue& Value, FSett
 /** Whether some number inside was not finite, and so reported already. */
 bool ContainsInvalid(const FJsonValue& Value)
 {
-	return Value.Type == EJsonType::Invalid ||
-		   std::any_of(Value.Elements.begin(), Value.Elements.end(), ContainsInvalid) ||
-		   std::any_of(Value.Members.begin(), Value.Members.end(),
-			   [](const FJsonMember& Member) { return ContainsInvalid(Member.Value); });
+	return Value.Type == EJsonType::Invalid || std::ranges::any_of(Value.Elements, ContainsInvalid) ||
+		   std::ranges::any_of(Value.Members, ContainsInvalid, &FJsonMember::Value);
 }
 
 /** JSON numbers are doubles; what float cannot hold would become infinite. */

@@ -2,6 +2,7 @@
 #include "Config/ConfigReader.h"
 
 #include "Config/ConfigKeys.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -184,7 +185,7 @@ private:
 			return;
 		}
 		const std::vector<std::string> Allowed = SplitText(Key.Of, '|');
-		if (std::find(Allowed.begin(), Allowed.end(), Value.String) == Allowed.end())
+		if (!Contains(Allowed, Value.String))
 		{
 			Messages.Error(ErrorUnknownValue, Value,
 				"\"" + Value.String + "\" is not one of " + JoinText(Allowed) +
@@ -195,13 +196,12 @@ private:
 	void ValidateVector(const FJsonValue& Value, const FConfigKey& Key)
 	{
 		FConfigVector Vector;
-		const auto IsInvalid = [](const FJsonValue& Element)
+		const auto GetType = [](const FJsonMember& Member)
 		{
-			return Element.Type == EJsonType::Invalid;
+			return Member.Value.Type;
 		};
-		if (std::any_of(Value.Elements.begin(), Value.Elements.end(), IsInvalid) ||
-			std::any_of(Value.Members.begin(), Value.Members.end(),
-				[&](const FJsonMember& Member) { return IsInvalid(Member.Value); }))
+		if (Contains(Value.Elements, EJsonType::Invalid, &FJsonValue::Type) ||
+			Contains(Value.Members, EJsonType::Invalid, GetType))
 		{
 			return;
 		}
@@ -221,8 +221,7 @@ private:
 	{
 		static const std::vector<std::string> Angles = {"Pitch", "Yaw", "Roll"};
 		const auto Unknown = std::find_if(Value.Members.begin(), Value.Members.end(),
-			[](const FJsonMember& Member)
-			{ return std::find(Angles.begin(), Angles.end(), Member.Key) == Angles.end(); });
+			[](const FJsonMember& Member) { return !Contains(Angles, Member.Key); });
 		if (Key.Kind == EConfigKind::Rotator && Unknown != Value.Members.end() && Value.Find("X") == nullptr)
 		{
 			Messages.ErrorAtKey(ErrorUnknownKey, Unknown->Value,

@@ -54,7 +54,8 @@ std::vector<FConsoleVariableInfo> FilterConsoleVariables(
 	return Found;
 }
 
-std::string WrapText(const std::string& Text, size_t Columns, const std::string& Indent)
+std::string WrapText(
+	const std::string& Text, size_t Columns, const std::string& Indent, const std::optional<std::string>& FirstIndent)
 {
 	std::string Wrapped;
 	for (const std::string& Line : SplitText(Text))
@@ -63,14 +64,15 @@ std::string WrapText(const std::string& Text, size_t Columns, const std::string&
 		std::istringstream Words(Line);
 		for (std::string Word; Words >> Word;)
 		{
-			if (!Current.empty() && Indent.size() + Current.size() + 1 + Word.size() > Columns)
+			if (!Current.empty() && Current.size() + 1 + Word.size() > Columns)
 			{
-				Wrapped += Indent + Current + "\n";
+				Wrapped += Current + "\n";
 				Current.clear();
 			}
-			Current += (Current.empty() ? "" : " ") + Word;
+			const std::string Before = Wrapped.empty() ? FirstIndent.value_or(Indent) : Indent;
+			Current += (Current.empty() ? Before : " ") + Word;
 		}
-		Wrapped += Current.empty() ? "\n" : Indent + Current + "\n";
+		Wrapped += Current + "\n";
 	}
 	return Wrapped;
 }
@@ -104,14 +106,12 @@ std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& Info, int Widt
 
 std::string FormatConsoleVariablesAsJson(const std::vector<FConsoleVariableInfo>& Infos)
 {
-	FJsonWriter Writer;
-	Writer.BeginArray();
+	FJsonWriter Writer('[');
 	for (const FConsoleVariableInfo& Info : Infos)
 	{
 		Writer.Object({{"name", *Info.Name}, {"type", *Info.Type}, {"value", *Info.Value}, {"default", *Info.Default},
 			{"setBy", *Info.SetBy}, {"simulated", !Info.bNotSimulated}, {"help", *Info.Help}});
 	}
-	Writer.EndArray();
 	return Writer.GetText();
 }
 

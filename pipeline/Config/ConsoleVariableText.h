@@ -4,6 +4,7 @@
 
 #include "HAL/ConsoleVariableTools.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ DRYDOCK_API std::string FormatConsoleVariableHelp(const FConsoleVariableInfo& In
 /** [{name, type, value, default, setBy, simulated, help}] */
 DRYDOCK_API std::string FormatConsoleVariablesAsJson(const std::vector<FConsoleVariableInfo>& Infos);
 
-/** Text in lines of at most Columns characters, each after Indent; breaks at blanks, keeps line breaks. A word that is
- *  longer stays whole. */
-DRYDOCK_API std::string WrapText(const std::string& Text, size_t Columns, const std::string& Indent);
+/** Text in lines of at most Columns characters, each after Indent, the first after FirstIndent where there is one;
+ * breaks at blanks, keeps line breaks. A word that is longer stays whole. */
+DRYDOCK_API std::string WrapText(const std::string& Text, size_t Columns, const std::string& Indent,
+	const std::optional<std::string>& FirstIndent = std::nullopt);
 
 } // namespace Drydock

@@ -1,7 +1,8 @@
 // Reads a list of frames such as 1-9x2.
 #include "Config/FrameList.h"
 
-#include <algorithm>
+#include "TextTools.h"
+
 #include <charconv>
 #include <string_view>
 
@@ -66,11 +67,9 @@ std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& O
 	}
 	FFrameList List;
 	int NumFrames = 0;
-	for (size_t Begin = 0; Begin <= Text.size();)
+	for (const std::string& Part : SplitText(Text + ",", ','))
 	{
-		const size_t Comma = std::min(Text.find(',', Begin), Text.size());
-		const std::optional<FFrameRange> Range =
-			ParseRange(std::string_view(Text).substr(Begin, Comma - Begin), OutError);
+		const std::optional<FFrameRange> Range = ParseRange(Part, OutError);
 		if (!Range)
 		{
 			return std::nullopt;
@@ -88,7 +87,6 @@ std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& O
 		}
 		NumFrames += (Range->Last - Range->First) / Range->Step + 1;
 		List.Ranges.push_back(*Range);
-		Begin = Comma + 1;
 	}
 	return List;
 }

@@ -52,14 +52,8 @@ struct FPattern
 
 [[noreturn]] void ThrowNoFrame(const FConfig& Config, const std::string& Message)
 {
-	FDiagnostic Diagnostic;
-	Diagnostic.Code = ErrorFileMissing;
-	Diagnostic.File = Config.File;
-	Diagnostic.Line = Config.Scene.File.Place.Line;
-	Diagnostic.Column = Config.Scene.File.Place.Column;
-	Diagnostic.Where = Config.Scene.File.Place.Pointer;
-	Diagnostic.Message = Message;
-	throw FError(Diagnostic, ExitFiles);
+	const auto& [Line, Column, Pointer] = Config.Scene.File.Place;
+	throw FError({ESeverity::Error, ErrorFileMissing, Message, Config.File, Line, Column, Pointer}, ExitFiles);
 }
 
 std::vector<FSequenceFrame> FindFrames(const FConfig& Config, const std::string& Pattern)
@@ -147,12 +141,7 @@ std::vector<FSequenceFrame> ChooseSequenceFrames(
 {
 	const auto Throw = [&](const std::string& Message)
 	{
-		FDiagnostic Diagnostic;
-		Diagnostic.Code = ErrorBadArgument;
-		Diagnostic.File = Config.File;
-		Diagnostic.Where = Place.Pointer;
-		Diagnostic.Message = Message;
-		throw FError(Diagnostic, ExitUsage);
+		throw FError({ESeverity::Error, ErrorBadArgument, Message, Config.File, 0, 0, Place.Pointer}, ExitUsage);
 	};
 	std::string Error;
 	const std::optional<FFrameList> Parsed = ParseFrameList(List, Error);

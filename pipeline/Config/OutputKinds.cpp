@@ -1,7 +1,7 @@
 // Names kinds of outputs.
 #include "Config/OutputKinds.h"
 
-#include <algorithm>
+#include "RangeTools.h"
 
 namespace Drydock
 {
@@ -18,7 +18,7 @@ FOutputKinds MakeOutputKinds(const std::vector<std::string>& Names)
 	FOutputKinds Kinds;
 	for (size_t Index = 0; Index < Known.size(); ++Index)
 	{
-		if (std::find(Names.begin(), Names.end(), Known[Index]) != Names.end())
+		if (Contains(Names, Known[Index]))
 		{
 			Kinds.insert(static_cast<EOutputKind>(Index));
 		}

@@ -123,7 +123,7 @@ void ReadShowFlags(const FJsonValue& Root, FConfig& Config, FConfigMessages& Mes
 		{
 			for (const auto& [Name, Value] : Flags.Members)
 			{
-				if (std::find(Names.begin(), Names.end(), Name) == Names.end())
+				if (!Contains(Names, Name))
 				{
 					Messages.ErrorAtKey(
 						ErrorUnknownShowFlag, Value, "unknown show flag" + Messages.Suggest(Name, Names));
@@ -150,6 +150,18 @@ void ReadObjects(const FJsonValue& Root, const char* Key, std::vector<FJsonValue
 			std::copy_if(Array.Elements.begin(), Array.Elements.end(), std::back_inserter(Objects),
 				[](const FJsonValue& Value) { return Value.Type == EJsonType::Object; });
 		});
+}
+
+/** The texts of an array. */
+void ReadTexts(const FJsonValue& Root, const char* Key, std::vector<TConfigValue<std::string>>& Texts)
+{
+	for (const FJsonValue& Element : Root.GetElements(Key))
+	{
+		if (Element.Type == EJsonType::String)
+		{
+			Texts.push_back({Element.String, PlaceOf(Element)});
+		}
+	}
 }
 
 /** A folder's name, {"folder": NAME, "over": NAME or names}, or a list of these. Anything else is reported elsewhere.
@@ -193,17 +205,7 @@ void ReadOverlay(const FJsonValue& Value, FConfig& Config)
 
 void ReadPlugins(const FJsonValue& Root, FConfig& Config)
 {
-	WithMember(Root, "plugins", EJsonType::Array,
-		[&](const FJsonValue& Plugins)
-		{
-			for (const FJsonValue& Plugin : Plugins.Elements)
-			{
-				if (Plugin.Type == EJsonType::String)
-				{
-					Config.Plugins.push_back({Plugin.String, PlaceOf(Plugin)});
-				}
-			}
-		});
+	ReadTexts(Root, "plugins", Config.Plugins);
 	if (const FJsonValue* const Overlay = Root.Type == EJsonType::Object ? Root.Find("overlay") : nullptr)
 	{
 		ReadOverlay(*Overlay, Config);
@@ -243,17 +245,7 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 					Config.Write = MakeOutputKinds(Names);
 				});
 			ReadString(Outputs, "report", Config.Report);
-			WithMember(Outputs, "dump", EJsonType::Array,
-				[&](const FJsonValue& Patterns)
-				{
-					for (const FJsonValue& Pattern : Patterns.Elements)
-					{
-						if (Pattern.Type == EJsonType::String)
-						{
-							Config.Dump.push_back({Pattern.String, PlaceOf(Pattern)});
-						}
-					}
-				});
+			ReadTexts(Outputs, "dump", Config.Dump);
 		});
 }
 

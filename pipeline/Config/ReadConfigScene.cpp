@@ -65,8 +65,7 @@ FSceneUnits ReadUnits(const FJsonValue& Value)
 {
 	const auto Is = [&Value](const char* Key, const char* Unit)
 	{
-		const FJsonValue* Member = Value.Find(Key);
-		return Member != nullptr && Member->String == Unit;
+		return Value.GetString(Key) == Unit;
 	};
 	return {Is("depth", "cm"), Is("velocity", "ndc"), Is("normal", "leftHanded")};
 }

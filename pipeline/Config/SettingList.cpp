@@ -1,10 +1,10 @@
 // Formats the table of settings as text and as JSON.
 #include "Config/SettingList.h"
 
+#include "Config/ConsoleVariableText.h"
 #include "Text/JsonWriter.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -15,26 +15,6 @@ namespace
 {
 
 constexpr size_t Width = 80;
-
-/** Breaks at spaces; a word that is longer than a line stays whole. */
-std::string Wrap(const std::string& Text, const std::string& FirstIndent, const std::string& Indent)
-{
-	std::string Wrapped;
-	std::string Line = FirstIndent;
-	bool bEmpty = true;
-	for (const std::string& Word : SplitText(Text, ' '))
-	{
-		if (!bEmpty && Line.size() + 1 + Word.size() > Width)
-		{
-			Wrapped += Line + "\n";
-			Line = Indent;
-			bEmpty = true;
-		}
-		Line += (bEmpty ? "" : " ") + Word;
-		bEmpty = false;
-	}
-	return Wrapped + Line + "\n";
-}
 
 std::string FormatBound(double Bound)
 {
@@ -56,12 +36,8 @@ std::string FormatSetting(const FSettingField& Field)
 	{
 		Facts += Fact.empty() ? "" : ", " + Fact;
 	}
-	std::string Doc = Field.Doc;
-	for (int32 Index = 0; Index < Field.EnumNames.Num(); ++Index)
-	{
-		Doc += std::string(Index == 0 ? " One of " : ", ") + Field.EnumNames[Index];
-	}
-	return Wrap(Facts, "  ", "      ") + Wrap(Doc + (Field.EnumNames.Num() > 0 ? "." : ""), "    ", "    ");
+	const std::string Values = Field.EnumNames.Num() > 0 ? " One of " + JoinText(Field.EnumNames) + "." : "";
+	return WrapText(Facts, Width, "      ", "  ") + WrapText(Field.Doc + Values, Width, "    ", "    ");
 }
 
 void WriteBound(FJsonWriter& Writer, const char* Key, double Bound)
@@ -137,13 +113,11 @@ std::string FormatSettings(const std::vector<const FSettingField*>& Fields)
 
 std::string FormatSettingsJson(const std::vector<const FSettingField*>& Fields)
 {
-	FJsonWriter Writer;
-	Writer.BeginArray();
+	FJsonWriter Writer('[');
 	for (const FSettingField* Field : Fields)
 	{
 		WriteSetting(Writer, *Field);
 	}
-	Writer.EndArray();
 	return Writer.GetText();
 }
 

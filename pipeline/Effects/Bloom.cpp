@@ -63,9 +63,7 @@ std::string FindNothingBright(const FGateInputs& Gate, std::optional<double> Bri
 /** Worth a look where a black scene would leave it out. */
 FContentQuestions AskBloom(const FGateInputs& Gate, const FEffectDecision&)
 {
-	FContentQuestions Questions;
-	Questions.bBrightest = !FindNothingBright(Gate, 0.0).empty();
-	return Questions;
+	return {.bBrightest = !FindNothingBright(Gate, 0.0).empty()};
 }
 
 void GateBloom(const FGateInputs& Gate, FEffectDecision& Bloom)
@@ -132,13 +130,11 @@ const FEffect GBloomEffect{
 	.Settings = BloomSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideBloom,
-	.Ask = &AskBloom,
-	.Gate = &GateBloom,
+	.Content = FContentGate{&AskBloom, &GateBloom},
 	.Complete = &CompleteBloom,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Bloom}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -30,9 +30,7 @@ bool IsPrinted(const FGateInputs& Gate)
 
 FContentQuestions AskCharaGlow(const FGateInputs& Gate, const FEffectDecision&)
 {
-	FContentQuestions Questions;
-	Questions.bGlowMask = !IsPrinted(Gate);
-	return Questions;
+	return {.bGlowMask = !IsPrinted(Gate)};
 }
 
 /** It adds the widened mask less the mask: of nothing, nothing. */
@@ -69,13 +67,11 @@ const FEffect GCharaGlowEffect{
 	.Settings = CharaGlowSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideCharaGlow,
-	.Ask = &AskCharaGlow,
-	.Gate = &GateCharaGlow,
+	.Content = FContentGate{&AskCharaGlow, &GateCharaGlow},
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(2); },
 	.AddPasses = &AddCharaGlowEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -56,13 +56,11 @@ const FEffect GDepthOfFieldEffect{
 	.Settings = DepthOfFieldSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideDepthOfField,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::DepthOfField}; },
 	.AddPasses = &AddDepthOfFieldEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

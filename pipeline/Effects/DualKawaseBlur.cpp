@@ -61,13 +61,11 @@ const FEffect GDualKawaseBlurEffect{
 	.Settings = DualKawaseBlurSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideDualKawaseBlur,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::BeforeBloom}; },
 	.AddPasses = &AddDualKawaseBlurEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

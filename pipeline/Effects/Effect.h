@@ -45,6 +45,7 @@ struct TRequired
 	{
 	}
 	constexpr operator const Type&() const { return Value; }
+	constexpr const Type* operator->() const { return &Value; }
 	constexpr const Type& operator*() const { return Value; }
 
 	Type Value;
@@ -193,6 +194,24 @@ struct FGateInputs
 	const std::vector<FEffectDecision>& Gated;   // as far as effects stand before this one
 };
 
+/** The scene's say in an effect; a default one: none. */
+struct FContentGate
+{
+	/** Asks which contents of the scene could leave the effect out or confine it. Called where the effect is active. */
+	FContentQuestions (*Ask)(const FGateInputs& Gate, const FEffectDecision& Decision) = nullptr;
+	/** Takes an active decision back, or gives it a region, where that changes no bit of any output. */
+	void (*Gate)(const FGateInputs& Gate, FEffectDecision& Decision) = nullptr;
+};
+
+/** How an effect is measured; a default one: not at all. */
+struct FMeasurement
+{
+	/** Names of kept textures that it is measured on, all of which must be there. */
+	std::span<const char* const> Textures;
+	/** Figures and pictures of what it did, on request and after the frame. */
+	FEffectFigures (*Measure)(const FMeasureInputs& Inputs) = nullptr;
+};
+
 /** All that the house asks of an effect. */
 struct FEffect
 {
@@ -208,25 +227,17 @@ struct FEffect
 	TRequired<bool> bMayBrightenBeforeBloom;
 	/** Decides from settings, show flags and console variables alone. */
 	TRequired<FEffectDecision (*)(const FEffect& Effect, const FEffectInputs& Inputs)> Decide;
-	/** Asks which contents of the scene could leave the effect out or confine it. Called where the effect is active;
-	 * null: none. */
-	TRequired<FContentQuestions (*)(const FGateInputs& Gate, const FEffectDecision& Decision)> Ask;
-	/** Takes an active decision back, or gives it a region, where that changes no bit of any output; null: never. */
-	TRequired<void (*)(const FGateInputs& Gate, FEffectDecision& Decision)> Gate;
+	TRequired<FContentGate> Content;
 	/** Describes the other effects for the reason, once all are decided and gated; null: nothing. The text is appended
 	 * where the effect is active. */
 	TRequired<std::string (*)(const FEffectInputs& Inputs, const std::vector<FEffectDecision>& Effects)> Complete;
 	TRequired<FChainPlace (*)()> GetPlace;
 	/** Its passes, from picture to picture; null: the chain itself makes them (PostProcessingChain.cpp). */
 	TRequired<FScreenPassTexture (*)(const FEffectPassInputs& Inputs)> AddPasses;
-	/** Names of kept textures that it is measured on, all of which must be there. */
-	TRequired<std::span<const char* const>> Measured;
-	/** Figures and pictures of what it did, on request and after the frame; null: it has none. */
-	TRequired<FEffectFigures (*)(const FMeasureInputs& Inputs)> Measure;
+	TRequired<FMeasurement> Measurement;
 };
 
 constexpr std::span<const FSettingClaim> NoSettings = {};
-constexpr std::span<const char* const> NothingMeasured = {};
 
 // The value of each effect, defined in the file of its name.
 #define DRYDOCK_EFFECT(Name) extern const FEffect G##Name##Effect;

@@ -44,7 +44,7 @@ FClaimed FindClaim(std::string_view Setting)
 
 FContentQuestions AskOf(const FGateInputs& Gate, const FEffectDecision& Decision)
 {
-	const auto Ask = *Decision.Effect->Ask;
+	const auto Ask = Decision.Effect->Content->Ask;
 	return Decision.bActive && Ask != nullptr ? Ask(Gate, Decision) : FContentQuestions();
 }
 
@@ -144,7 +144,7 @@ std::vector<FEffectDecision> GateByContent(
 	std::vector<FEffectDecision> Gated = Decided;
 	for (FEffectDecision& Decision : Gated)
 	{
-		if (const auto Gate = *Decision.Effect->Gate; Gate != nullptr && Decision.bActive)
+		if (const auto Gate = Decision.Effect->Content->Gate; Gate != nullptr && Decision.bActive)
 		{
 			Gate({Inputs, Content, Decided, Gated}, Decision);
 		}
@@ -195,8 +195,8 @@ FFiguresByEffect MeasureEffects(const std::vector<FEffectDecision>& Effects, con
 	FFiguresByEffect Figures;
 	for (const FEffectDecision& Decision : Effects)
 	{
-		const auto Measure = *Decision.Effect->Measure;
-		const std::span<const char* const> Names = Decision.Effect->Measured;
+		const auto Measure = Decision.Effect->Measurement->Measure;
+		const std::span<const char* const> Names = Decision.Effect->Measurement->Textures;
 		const bool bKept =
 			std::ranges::all_of(Names, [&](const char* Name) { return Inputs.Textures.count(Name) != 0; });
 		if (Decision.bActive && Measure != nullptr && bKept)

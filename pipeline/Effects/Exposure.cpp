@@ -106,13 +106,11 @@ const FEffect GExposureEffect{
 	.Settings = ExposureSettings,
 	.bMayBrightenBeforeBloom = false, // the gate of bloom knows the scale, or that it is not known
 	.Decide = &DecideExposure,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Exposure}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -52,16 +52,14 @@ const FEffect GFFTBloomEffect{
 	.Settings = FFTBloomSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideFFTBloom,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{EChainPlace::Bloom, 1};
 		},
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -49,13 +49,11 @@ const FEffect GFXAAEffect{
 	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideFXAA,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::AntiAliasing}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -55,16 +55,14 @@ const FEffect GLocalExposureEffect{
 	.Settings = LocalExposureSettings,
 	.bMayBrightenBeforeBloom = true, // bloom's setup pass applies it
 	.Decide = &DecideLocalExposure,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{EChainPlace::Exposure, 1};
 		},
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

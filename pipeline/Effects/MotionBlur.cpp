@@ -47,9 +47,7 @@ FEffectDecision DecideMotionBlur(const FEffect&, const FEffectInputs& Inputs)
 
 FContentQuestions AskMotionBlur(const FGateInputs&, const FEffectDecision&)
 {
-	FContentQuestions Questions;
-	Questions.bStill = true;
-	return Questions;
+	return {.bStill = true};
 }
 
 /** It leaves a picture in which nothing moves by half a pixel as it is. */
@@ -80,13 +78,11 @@ const FEffect GMotionBlurEffect{
 	.Settings = MotionBlurSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideMotionBlur,
-	.Ask = &AskMotionBlur,
-	.Gate = &GateMotionBlur,
+	.Content = FContentGate{&AskMotionBlur, &GateMotionBlur},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::MotionBlur}; },
 	.AddPasses = &AddMotionBlurEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

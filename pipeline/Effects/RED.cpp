@@ -39,13 +39,11 @@ const FEffect GREDEffect{
 	.Settings = REDSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideRED,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(1); },
 	.AddPasses = &AddREDEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -37,13 +37,11 @@ const FEffect GREDDepthOfFieldEffect{
 	.Settings = REDDepthOfFieldSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideREDDepthOfField,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return GetREDPlace(0); },
 	.AddPasses = &AddREDDepthOfFieldEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -12,8 +12,8 @@ FEffectDecision DecideBySwitches(
 	const FEffect& Effect, const FEffectInputs& Inputs, std::span<const FSwitch> Switches, const std::string& Place)
 {
 	FEffectDecision Decision;
-	Decision.bConfigured = std::any_of((*Effect.Settings).begin(), (*Effect.Settings).end(),
-		[&](const FSettingClaim& Claim) { return Inputs.IsNamed(Claim.Beginning); });
+	Decision.bConfigured = std::ranges::any_of(
+		*Effect.Settings, [&](const FSettingClaim& Claim) { return Inputs.IsNamed(Claim.Beginning); });
 	for (const FSwitch& Switch : Switches)
 	{
 		Decision.Reason += (Decision.Reason.empty() ? "" : ", ") + std::string(Switch.Setting) +

@@ -64,13 +64,11 @@ const FEffect GTonemapEffect{
 	.Settings = TonemapSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideTonemap,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Tonemap}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

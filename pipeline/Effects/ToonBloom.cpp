@@ -91,9 +91,7 @@ FEffectDecision DecideToonBloom(const FEffect&, const FEffectInputs& Inputs)
 
 FContentQuestions AskToonBloom(const FGateInputs&, const FEffectDecision&)
 {
-	FContentQuestions Questions;
-	Questions.bToon = GetToonBloomMode() < 0;
-	return Questions;
+	return {.bToon = GetToonBloomMode() < 0};
 }
 
 /** It multiplies pixels of the toon model; without one the masked picture is the picture. As printed without a
@@ -141,16 +139,14 @@ const FEffect GToonBloomEffect{
 	.Settings = ToonBloomSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideToonBloom,
-	.Ask = &AskToonBloom,
-	.Gate = &GateToonBloom,
+	.Content = FContentGate{&AskToonBloom, &GateToonBloom},
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{EChainPlace::Bloom, -1};
 		},
 	.AddPasses = nullptr,
-	.Measured = ToonBloomMeasured,
-	.Measure = &MeasureToonBloom,
+	.Measurement = FMeasurement{ToonBloomMeasured, &MeasureToonBloom},
 };
 
 } // namespace Drydock

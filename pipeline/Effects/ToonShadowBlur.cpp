@@ -27,9 +27,7 @@ FEffectDecision DecideToonShadowBlur(const FEffect& Effect, const FEffectInputs&
 
 FContentQuestions AskToonShadowBlur(const FGateInputs&, const FEffectDecision&)
 {
-	FContentQuestions Questions;
-	Questions.bToon = true;
-	return Questions;
+	return {.bToon = true};
 }
 
 /** It lights pixels of the toon model. */
@@ -105,13 +103,11 @@ const FEffect GToonShadowBlurEffect{
 	.Settings = ToonShadowBlurSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideToonShadowBlur,
-	.Ask = &AskToonShadowBlur,
-	.Gate = &GateToonShadowBlur,
+	.Content = FContentGate{&AskToonShadowBlur, &GateToonShadowBlur},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Lighting}; },
 	.AddPasses = &AddToonShadowBlurEffect,
-	.Measured = ToonShadowBlurMeasured,
-	.Measure = &MeasureToonShadowBlur,
+	.Measurement = FMeasurement{ToonShadowBlurMeasured, &MeasureToonShadowBlur},
 };
 
 } // namespace Drydock

@@ -29,13 +29,11 @@ const FEffect GTranslucencyEffect{
 	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideTranslucency,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Translucency}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

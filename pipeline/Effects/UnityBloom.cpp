@@ -35,16 +35,14 @@ const FEffect GUnityBloomEffect{
 	.Settings = UnityBloomSettings,
 	.bMayBrightenBeforeBloom = true,
 	.Decide = &DecideUnityBloom,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{IsUnityBloomAfterTonemap() ? EChainPlace::AfterTonemap : EChainPlace::BeforeBloom, 1};
 		},
 	.AddPasses = &AddUnityBloomEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

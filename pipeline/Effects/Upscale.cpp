@@ -37,13 +37,11 @@ const FEffect GUpscaleEffect{
 	.Settings = NoSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecideUpscale,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Upscale}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock

@@ -5,6 +5,7 @@
 #include "Extensions/EngineHooks.h"
 #include "Extensions/ExtensionErrors.h"
 #include "Extensions/FactoryTypes.h"
+#include "RangeTools.h"
 #include "SceneViewState.h"
 #include "TextTools.h"
 
@@ -103,8 +104,7 @@ void ReadParameter(
 		{
 			WrongType("a string");
 		}
-		else if (!Spec.Choices.empty() &&
-				 std::find(Spec.Choices.begin(), Spec.Choices.end(), Value.String) == Spec.Choices.end())
+		else if (!Spec.Choices.empty() && !Contains(Spec.Choices, Value.String))
 		{
 			Messages.Error(ErrorUnknownValue, Value,
 				Spec.Name + ": \"" + Value.String + "\" is not one of " + JoinText(Spec.Choices) +
@@ -129,13 +129,6 @@ void ReadParameter(
 	}
 }
 
-const FParameterSpec* FindSpec(const std::vector<FParameterSpec>& Specs, const std::string& Name)
-{
-	const auto Found =
-		std::find_if(Specs.begin(), Specs.end(), [&](const FParameterSpec& Spec) { return Spec.Name == Name; });
-	return Found == Specs.end() ? nullptr : &*Found;
-}
-
 /** Members of an object as parameters; Others: keys that mean something else and are passed over. */
 FParameterValues ReadParameters(const FJsonValue& Object, const std::vector<FParameterSpec>& Specs,
 	const std::vector<std::string>& Others, const std::string& Type, FConfigMessages& Messages)
@@ -148,11 +141,11 @@ FParameterValues ReadParameters(const FJsonValue& Object, const std::vector<FPar
 	}
 	for (const auto& [Name, Member] : Object.Members)
 	{
-		if (const FParameterSpec* Spec = FindSpec(Specs, Name))
+		if (const FParameterSpec* Spec = FindItem(Specs, Name, &FParameterSpec::Name))
 		{
 			ReadParameter(Member, *Spec, Values, Messages);
 		}
-		else if (std::find(Others.begin(), Others.end(), Name) == Others.end())
+		else if (!Contains(Others, Name))
 		{
 			Messages.ErrorAtKey(
 				ErrorUnknownKey, Member, Type + " has no parameter \"" + Name + "\"" + Messages.Suggest(Name, Names));
@@ -165,7 +158,7 @@ FParameterValues ReadParameters(const FJsonValue& Object, const std::vector<FPar
 bool CheckHook(const FConfig& Config, const FJsonValue& Value, const std::string& Hook,
 	const std::vector<std::string>& Allowed, const std::string& Type, FConfigMessages& Messages)
 {
-	if (std::find(Allowed.begin(), Allowed.end(), Hook) == Allowed.end())
+	if (!Contains(Allowed, Hook))
 	{
 		Messages.Error(ErrorUnknownValue, Value,
 			"\"" + Hook + "\" is not a hook of " + Type + ": " + JoinText(Allowed) + Messages.Suggest(Hook, Allowed));
@@ -248,14 +241,13 @@ void ReadPassInputs(const FJsonValue& Value, const FPassFactory& Factory, const 
 			{
 				continue; // reported with the config's shape
 			}
-			if (std::find(Names.begin(), Names.end(), Name) == Names.end())
+			if (!Contains(Names, Name))
 			{
 				Messages.ErrorAtKey(ErrorPassInput, Resource,
 					Factory.Type + " has no input \"" + Name + "\"" + Messages.Suggest(Name, Names) + "; there is " +
 						JoinText(Names));
 			}
-			else if (!Earlier.Contains(Resource.String) &&
-					 std::find(Resources.begin(), Resources.end(), Resource.String) == Resources.end())
+			else if (!Earlier.Contains(Resource.String) && !Contains(Resources, Resource.String))
 			{
 				Messages.Error(ErrorPassInput, Resource,
 					"there is no resource \"" + Resource.String + "\" here" +

@@ -1,62 +1,52 @@
 // The tables of hooks and insertion points, and what is asked of them.
 #include "Extensions/EngineHooks.h"
 
+#include "RangeTools.h"
+#include "TextTools.h"
+
 #include <algorithm>
 
 namespace Drydock
 {
 
+namespace
+{
+
+constexpr const char* HooksText =
+#include "EngineHooks.txt"
+	;
+
+std::vector<FHookVersions> ReadHooks()
+{
+	const std::vector<FEngineProfile>& Engines = GetEngineProfiles();
+	std::vector<FHookVersions> Hooks;
+	for (std::vector<std::string>& Columns : SplitRows(HooksText))
+	{
+		check(Columns.size() == 5);
+		std::ranges::replace(Columns, "-", "");
+		const int32 First = Columns[1].empty() ? Engines.front().Minor : std::stoi(Columns[1]);
+		const int32 Last = Columns[2].empty() ? Engines.back().Minor : std::stoi(Columns[2]);
+		Hooks.push_back({EExtensionHook(Hooks.size()), Columns[0], First, Last, Columns[3], Columns[4]});
+	}
+	return Hooks;
+}
+
+} // namespace
+
 const std::vector<FHookVersions>& GetHookVersions()
 {
-	using enum EExtensionHook;
-	const int32 Oldest = GetEngineProfiles().front().Minor;
-	const int32 Newest = GetEngineProfiles().back().Minor;
-	constexpr int32 Never = 0;
-	const char* const Mobile = "is the mobile renderer's: the deferred one never calls it";
-	const char* const RayTracing =
-		"follows the building of a ray-tracing scene, which there is none of here: it is never called";
-	// clang-format off
-	static const std::vector<FHookVersions> Versions = {
-		{SetupViewFamily, "SetupViewFamily(FSceneViewFamily&)", Oldest, Newest, ""},
-		{SetupViewPoint, "SetupViewPoint(APlayerController*, FMinimalViewInfo&)", Oldest, Newest, ""},
-		{SetupViewProjectionMatrix, "SetupViewProjectionMatrix(FSceneViewProjectionData&)", Oldest, Newest, ""},
-		{SetupView, "SetupView(FSceneViewFamily&, FSceneView&)", Oldest, Newest, ""},
-		{BeginRenderViewFamily, "BeginRenderViewFamily(FSceneViewFamily&)", Oldest, Newest, ""},
-		{PostCreateSceneRenderer, "PostCreateSceneRenderer(const FSceneViewFamily&, ISceneRenderer*)", 7, Newest, ""},
-		{PreRenderViewFamily, "PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)", Oldest, Newest, ""},
-		{PreRenderViewFamilyCommandList, "PreRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&)", Oldest, Never, "PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)"},
-		{PreRenderView, "PreRenderView_RenderThread(FRDGBuilder&, FSceneView&)", Oldest, Newest, ""},
-		{PreRenderViewCommandList, "PreRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PreRenderView_RenderThread(FRDGBuilder&, FSceneView&)"},
-		{PreInitViews, "PreInitViews_RenderThread(FRDGBuilder&)", Oldest, Newest, ""},
-		{PreRenderBasePass, "PreRenderBasePass_RenderThread(FRDGBuilder&, bool)", 4, Newest, "PreInitViews_RenderThread(FRDGBuilder&)"},
-		{PostRenderBasePassDeferred, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Oldest, Newest, ""},
-		{PostRenderBasePassMobile, "PostRenderBasePassMobile_RenderThread(FRHICommandList&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Mobile},
-		{PostRenderBasePassMobileImmediate, "PostRenderBasePassMobile_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)", Mobile},
-		{PostRenderBasePass, "PostRenderBasePass_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PostRenderBasePassDeferred_RenderThread(FRDGBuilder&, FSceneView&, const FRenderTargetBindingSlots&, TRDGUniformBufferRef<FSceneTextureUniformParameters>)"},
-		{PostTLASBuild, "PostTLASBuild_RenderThread(FRDGBuilder&, FSceneView&)", 7, Never, "", RayTracing},
-		{PrePostProcessPass, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Oldest, Newest, ""},
-		{PrePostProcessPassMobile, "PrePostProcessPassMobile_RenderThread(FRDGBuilder&, const FSceneView&, const FMobilePostProcessingInputs&)", Oldest, Never, "PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&)", Mobile},
-		{Subscribe, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)", Oldest, 4, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)"},
-		{SubscribeWithView, "SubscribeToPostProcessingPass(EPostProcessingPass, const FSceneView&, FPostProcessingPassDelegateArray&, bool)", 5, Newest, "SubscribeToPostProcessingPass(EPostProcessingPass, FAfterPassCallbackDelegateArray&, bool)"},
-		{PostRenderView, "PostRenderView_RenderThread(FRDGBuilder&, FSceneView&)", Oldest, Newest, ""},
-		{PostRenderViewCommandList, "PostRenderView_RenderThread(FRHICommandListImmediate&, FSceneView&)", Oldest, Never, "PostRenderView_RenderThread(FRDGBuilder&, FSceneView&)"},
-		{PostRenderViewFamily, "PostRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)", Oldest, Newest, ""},
-		{PostRenderViewFamilyCommandList, "PostRenderViewFamily_RenderThread(FRHICommandListImmediate&, FSceneViewFamily&)", Oldest, Never, "PostRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&)"},
-	};
-	// clang-format on
+	static const std::vector<FHookVersions> Versions = ReadHooks();
 	return Versions;
 }
 
 const FHookVersions& GetHookVersions(EExtensionHook Hook)
 {
-	const FHookVersions& Versions = GetHookVersions()[static_cast<size_t>(Hook)];
-	check(Versions.Hook == Hook);
-	return Versions;
+	return GetHookVersions()[static_cast<size_t>(Hook)];
 }
 
 std::string GetHookName(EExtensionHook Hook)
 {
-	const std::string Signature = GetHookVersions(Hook).Signature;
+	const std::string& Signature = GetHookVersions(Hook).Signature;
 	const std::string Name = Signature.substr(0, Signature.find('('));
 	return Name.substr(0, Name.find("_RenderThread"));
 }
@@ -96,10 +86,8 @@ const std::vector<FInsertionPoint>& GetInsertionPoints()
 
 const FInsertionPoint& GetInsertionPoint(ISceneViewExtension::EPostProcessingPass Pass)
 {
-	const std::vector<FInsertionPoint>& Points = GetInsertionPoints();
-	const auto Found =
-		std::find_if(Points.begin(), Points.end(), [&](const FInsertionPoint& Point) { return Point.Pass == Pass; });
-	check(Found != Points.end());
+	const FInsertionPoint* const Found = FindItem(GetInsertionPoints(), Pass, &FInsertionPoint::Pass);
+	check(Found != nullptr);
 	return *Found;
 }
 

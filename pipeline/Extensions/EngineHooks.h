@@ -16,11 +16,11 @@ namespace Drydock
 struct FHookVersions
 {
 	EExtensionHook Hook;
-	const char* Signature;
+	std::string Signature;
 	int32 First;
 	int32 Last;
-	const char* Instead; // what those versions call that do not call this; empty: overriding it is not a mistake
-	const char* NeverHere = nullptr; // why drydock never calls it, whatever the version; goes on after "which "
+	std::string Instead;   // what those versions call that do not call this; empty: overriding it is not a mistake
+	std::string NeverHere; // why drydock never calls it, whatever the version; goes on after "which "; empty: it may
 };
 
 /** By EExtensionHook. */

@@ -95,8 +95,7 @@ void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<s
 		[&](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension)
 		{
 			const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
-			return Plugins && Info != nullptr && !Info->Plugin.empty() &&
-				   std::find(Plugins->begin(), Plugins->end(), Info->Plugin) == Plugins->end();
+			return Plugins && Info != nullptr && !Info->Plugin.empty() && !Contains(*Plugins, Info->Plugin);
 		});
 	std::unordered_map<std::string, int> Numbers; // how many of a name
 	for (const FExtension& Earlier : Extensions)
@@ -144,21 +143,19 @@ void FViewExtensionFrame::ReportVersion(const FExtension& Extension)
 	for (const FHookVersions& Hook : GetHookVersions())
 	{
 		const bool bNever = Extension.Info.Has(Hook.Hook) && !IsHookCalled(Hook.Hook, Extension.EngineMinor);
-		if (bNever && Hook.NeverHere != nullptr)
+		if (bNever && !Hook.NeverHere.empty())
 		{
 			// One that has both is right wherever it runs.
-			const bool bHasOther = std::any_of(GetHookVersions().begin(), GetHookVersions().end(),
-				[&](const FHookVersions& Other)
-				{ return Extension.Info.Has(Other.Hook) && std::string(Other.Signature) == Hook.Instead; });
+			const bool bHasOther = std::ranges::any_of(GetHookVersions(), [&](const FHookVersions& Other)
+				{ return Extension.Info.Has(Other.Hook) && Other.Signature == Hook.Instead; });
 			Report(bHasOther ? ESeverity::Note : ESeverity::Warning, WarnHookNeverCalled,
-				"it overrides " + std::string(Hook.Signature) + ", which " + Hook.NeverHere +
-					(bHasOther || Hook.Instead[0] == '\0' ? "" : "; override " + std::string(Hook.Instead)));
+				"it overrides " + Hook.Signature + ", which " + Hook.NeverHere +
+					(bHasOther || Hook.Instead.empty() ? "" : "; override " + Hook.Instead));
 		}
-		else if (bNever && !bFollows && Hook.Instead[0] != '\0')
+		else if (bNever && !bFollows && !Hook.Instead.empty())
 		{
 			Report(ESeverity::Warning, WarnHookNeverCalled,
-				"it overrides " + std::string(Hook.Signature) + ", which engine " + Own + " never calls; override " +
-					Hook.Instead);
+				"it overrides " + Hook.Signature + ", which engine " + Own + " never calls; override " + Hook.Instead);
 		}
 	}
 }

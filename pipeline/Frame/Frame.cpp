@@ -397,11 +397,11 @@ private:
 	{
 		for (const FEffectDecision& Decision : Target.Effects)
 		{
-			if (!Decision.bActive || *Decision.Effect->Measure == nullptr)
+			if (!Decision.bActive || Decision.Effect->Measurement->Measure == nullptr)
 			{
 				continue;
 			}
-			for (const char* const Name : *Decision.Effect->Measured)
+			for (const char* const Name : Decision.Effect->Measurement->Textures)
 			{
 				const auto Found = Target.Outputs.Kept.find(Name);
 				if (Found != Target.Outputs.Kept.end() && Found->second.Texture != nullptr &&

@@ -6,8 +6,6 @@
 #include "Hazards/Hazards.h"
 #include "Picture/ImageFile.h"
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

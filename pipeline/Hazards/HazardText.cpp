@@ -76,8 +76,7 @@ std::string MakeHazardText(const FHazardRow& Row, int Width)
 
 std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Array("passes", Rows,
 		[&](const FHazardRow& Row)
 		{
@@ -93,7 +92,6 @@ std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)
 				});
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

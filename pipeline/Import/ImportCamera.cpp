@@ -112,15 +112,13 @@ std::string MakeCameraJson(const FImportCamera& Camera, int Width, int Height, s
 	}
 	const std::array<double, 3> Location = Camera.Location.value_or(std::array<double, 3>());
 	const std::array<double, 3> Rotation = Camera.Rotation.value_or(std::array<double, 3>());
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.MemberIfAny("frame", Frame);
 	Writer.MemberIfAny("delta_time_s", Camera.DeltaTime);
 	Writer.Member("position_uecm", Location);
 	Writer.Key("rotator_ue_deg").Object({{"pitch", Rotation[0]}, {"yaw", Rotation[1]}, {"roll", Rotation[2]}});
 	Writer.MemberIfAny("hfov_deg", Camera.Fov);
 	Writer.Members({{"width", Width}, {"height", Height}});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

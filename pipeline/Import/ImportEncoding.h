@@ -1,7 +1,5 @@
-// Lists the encodings of depth, normals and motion in a layer's numbers, and the words by which options name them.
+// Lists the encodings of depth, normals and motion in a layer's numbers.
 #pragma once
-
-#include "DrydockAPI.h"
 
 #include <array>
 #include <optional>
@@ -53,16 +51,11 @@ enum class EImportAlpha
 	Opaque, // whatever the layer says
 };
 
-/** Words of the enums above, in their order. */
-DRYDOCK_API const std::vector<std::string>& GetImportOriginWords();
-DRYDOCK_API const std::vector<std::string>& GetImportDepthWords();
-DRYDOCK_API const std::vector<std::string>& GetImportNormalSpaceWords();
-DRYDOCK_API const std::vector<std::string>& GetImportVelocityWords();
-DRYDOCK_API const std::vector<std::string>& GetImportAlphaWords();
-
-/** Units of depth: "m", "cm", "mm", "km". */
-DRYDOCK_API const std::vector<std::string>& GetImportUnitWords();
-DRYDOCK_API double GetMetres(const std::string& Unit);
+/** The metres of a unit of depth: "m", "cm", "mm", "km". */
+inline double GetMetres(const std::string& Unit)
+{
+	return Unit == "cm" ? 0.01 : Unit == "mm" ? 0.001 : Unit == "km" ? 1000.0 : 1.0;
+}
 
 /** The inputs of Blender's mist, metres. */
 struct FImportMist

@@ -81,11 +81,7 @@ std::string DescribeVelocity(const FImportScene& Scene, const FImportTarget& Tar
 std::string DescribeNumbers(const std::vector<float>& Values)
 {
 	constexpr size_t MaxListed = 12;
-	std::set<float> Distinct;
-	for (const float Value : Values)
-	{
-		Distinct.insert(Value);
-	}
+	const std::set<float> Distinct(Values.begin(), Values.end());
 	std::string Text;
 	size_t NumListed = 0;
 	for (const float Value : Distinct)

@@ -5,8 +5,10 @@
 #include "Import/ImportErrors.h"
 #include "Import/ImportMap.h"
 #include "Text/Fmt.inl"
+#include "TextTools.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace Drydock
 {
@@ -297,12 +299,8 @@ private:
 	std::string ListLayers() const
 	{
 		constexpr size_t MaxNamed = 12;
-		std::string List;
-		for (size_t Index = 0; Index < std::min(Layers.Layers.size(), MaxNamed); ++Index)
-		{
-			List += (Index == 0 ? "" : ", ") + Layers.Layers[Index].Label;
-		}
-		return List + (Layers.Layers.size() > MaxNamed ? ", ..." : "");
+		return JoinText(Layers.Layers | std::views::take(MaxNamed), ", ", &FImportLayer::Label) +
+			   (Layers.Layers.size() > MaxNamed ? ", ..." : "");
 	}
 
 	const FImportLayers& Layers;

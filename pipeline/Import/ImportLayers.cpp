@@ -3,6 +3,7 @@
 
 #include "Import/ImportTargets.h"
 #include "Picture/ImageFile.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -118,8 +119,7 @@ std::string GetHint(const FImportLayers& Read, size_t File)
 
 const FImportChannel* FImportLayer::Find(int Slot) const
 {
-	const auto Found = std::ranges::find(Channels, Slot, &FImportChannel::Slot);
-	return Found == Channels.end() ? nullptr : &*Found;
+	return FindItem(Channels, Slot, &FImportChannel::Slot);
 }
 
 FImportChannelName SplitChannelName(const std::string& FullName)

@@ -1,4 +1,4 @@
-// Derives colour matrices. Sources: SMPTE RP 177 (primaries to XYZ), ITU-R BT.709, the Bradford adaptation (Lam 1985).
+// Derives colour matrices. Sources: SMPTE RP 177 (primaries to XYZ), ITU-R BT.709.
 #include "Import/ImportPrimaries.h"
 
 #include <algorithm>
@@ -10,76 +10,15 @@ namespace Drydock
 namespace
 {
 
-using FColor = std::array<double, 3>;
-
 const std::vector<float>& GetRec709()
 {
 	static const std::vector<float> Rec709 = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
 	return Rec709;
 }
 
-FColorMatrix Multiply(const FColorMatrix& A, const FColorMatrix& B)
+FColorVector GetWhite(const std::vector<float>& Chromaticities)
 {
-	FColorMatrix Product = {};
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		for (size_t Column = 0; Column < 3; ++Column)
-		{
-			for (size_t Index = 0; Index < 3; ++Index)
-			{
-				Product[Row][Column] += A[Row][Index] * B[Index][Column];
-			}
-		}
-	}
-	return Product;
-}
-
-FColor Multiply(const FColorMatrix& A, const FColor& Color)
-{
-	FColor Product = {};
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		Product[Row] = A[Row][0] * Color[0] + A[Row][1] * Color[1] + A[Row][2] * Color[2];
-	}
-	return Product;
-}
-
-/** None where the matrix has no inverse. */
-std::optional<FColorMatrix> Invert(const FColorMatrix& A)
-{
-	const auto Minor = [&A](size_t Row, size_t Column)
-	{
-		const size_t R1 = (Row + 1) % 3;
-		const size_t R2 = (Row + 2) % 3;
-		const size_t C1 = (Column + 1) % 3;
-		const size_t C2 = (Column + 2) % 3;
-		return A[R1][C1] * A[R2][C2] - A[R1][C2] * A[R2][C1];
-	};
-	const double Determinant = A[0][0] * Minor(0, 0) + A[0][1] * Minor(0, 1) + A[0][2] * Minor(0, 2);
-	if (!(std::abs(Determinant) > 1e-9))
-	{
-		return std::nullopt;
-	}
-	FColorMatrix Inverse = {};
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		for (size_t Column = 0; Column < 3; ++Column)
-		{
-			Inverse[Row][Column] = Minor(Column, Row) / Determinant;
-		}
-	}
-	return Inverse;
-}
-
-/** XYZ of a chromaticity at luminance 1. */
-FColor ToXyz(double X, double Y)
-{
-	return {X / Y, 1.0, (1.0 - X - Y) / Y};
-}
-
-FColor GetWhite(const std::vector<float>& Chromaticities)
-{
-	return ToXyz(static_cast<double>(Chromaticities[6]), static_cast<double>(Chromaticities[7]));
+	return MakeWhite(static_cast<double>(Chromaticities[6]), static_cast<double>(Chromaticities[7]));
 }
 
 std::optional<FColorMatrix> MakeToXyz(const std::vector<float>& Chromaticities)
@@ -89,18 +28,17 @@ std::optional<FColorMatrix> MakeToXyz(const std::vector<float>& Chromaticities)
 	{
 		const double X = static_cast<double>(Chromaticities[2 * Primary]);
 		const double Y = static_cast<double>(Chromaticities[2 * Primary + 1]);
-		const FColor Part = {X, Y, 1.0 - X - Y};
+		const FColorVector Part = {X, Y, 1.0 - X - Y};
 		for (size_t Row = 0; Row < 3; ++Row)
 		{
 			Columns[Row][Primary] = Part[Row];
 		}
 	}
-	const std::optional<FColorMatrix> Inverse = Invert(Columns);
-	if (!Inverse)
+	if (!(std::abs(GetDeterminant(Columns)) > 1e-9))
 	{
 		return std::nullopt;
 	}
-	const FColor Scale = Multiply(*Inverse, GetWhite(Chromaticities));
+	const FColorVector Scale = Multiply(Invert(Columns), GetWhite(Chromaticities));
 	for (size_t Row = 0; Row < 3; ++Row)
 	{
 		for (size_t Primary = 0; Primary < 3; ++Primary)
@@ -109,22 +47,6 @@ std::optional<FColorMatrix> MakeToXyz(const std::vector<float>& Chromaticities)
 		}
 	}
 	return Columns;
-}
-
-FColorMatrix MakeAdaptation(const FColor& From, const FColor& To)
-{
-	const FColorMatrix Bradford = {{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-	const FColor Source = Multiply(Bradford, From);
-	const FColor Target = Multiply(Bradford, To);
-	FColorMatrix Scaled = Bradford;
-	for (size_t Row = 0; Row < 3; ++Row)
-	{
-		for (double& Value : Scaled[Row])
-		{
-			Value *= Target[Row] / Source[Row];
-		}
-	}
-	return Multiply(*Invert(Bradford), Scaled);
 }
 
 } // namespace
@@ -142,7 +64,7 @@ std::optional<FColorMatrix> MakeRec709Matrix(const std::vector<float>& Chromatic
 		return std::nullopt;
 	}
 	const FColorMatrix Adaptation = MakeAdaptation(GetWhite(Chromaticities), GetWhite(Rec709));
-	return Multiply(*Invert(*MakeToXyz(Rec709)), Multiply(Adaptation, *ToXyz));
+	return Multiply(Invert(*MakeToXyz(Rec709)), Multiply(Adaptation, *ToXyz));
 }
 
 } // namespace Drydock

@@ -2,15 +2,13 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Tonemap/ColorMatrix.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace Drydock
 {
-
-using FColorMatrix = std::array<std::array<double, 3>, 3>; // applied to columns
 
 /** Chromaticities: x, y of red, green, blue and white. None where they are Rec.709's own, to a thousandth, are missing
  * or span no colours. White is adapted by the Bradford method. */

@@ -200,8 +200,7 @@ std::string FormatImportTable(const FImportStory& Story, int Width)
 
 std::string FormatImportJson(const FImportStory& Story)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"width", Story.Scene.Width}, {"height", Story.Scene.Height}});
 	Writer.Array("channels", MakeRows(Story),
 		[&](const FTableRow& Row)
@@ -223,7 +222,6 @@ std::string FormatImportJson(const FImportStory& Story)
 				Writer.Value(Name);
 			}
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -4,7 +4,6 @@
 #include "RangeTools.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <cctype>
 #include <string_view>
 
@@ -82,7 +81,7 @@ int GetFit(const FImportNameRule& Rule, std::string_view Name, std::string_view 
 	}
 	if (Rule.bWord)
 	{
-		return std::ranges::find(Words, Keyword) != Words.end() ? 2 : 0;
+		return Contains(Words, Keyword) ? 2 : 0;
 	}
 	constexpr size_t LongEnough = 5; // shorter ones are parts of other words
 	return Name.ends_with(Keyword)                                                            ? 2
@@ -118,8 +117,7 @@ const std::vector<FImportTarget>& GetImportTargets()
 const FImportTarget* FindImportTarget(const std::string& Group)
 {
 	const std::vector<FImportTarget>& Targets = GetImportTargets();
-	const auto Found = std::ranges::find(Targets, Group, &FImportTarget::Group);
-	return Found == Targets.end() ? nullptr : &*Found;
+	return FindItem(Targets, Group, &FImportTarget::Group);
 }
 
 const FImportNameRule* FindImportNameRule(const std::string& Name)

@@ -7,7 +7,6 @@
 #include "Inspect/DispatchShaders.h"
 #include "KernelCheck.h"
 
-#include <map>
 #include <memory>
 
 namespace Drydock

@@ -8,11 +8,10 @@
 #include "ShaderCompilation.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
-#include "TileExecutor.h"
 #include "TextTools.h"
+#include "TileExecutor.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <set>
 
@@ -156,22 +155,13 @@ FDebugRequest MakeDebugRequest(const std::string& Pixel, const std::string& Pass
 	FDebugRequest Request;
 	Request.Passes = Passes;
 	Request.Frame = Frame;
-	const char* Next = Pixel.data();
-	const char* const End = Next + Pixel.size();
-	size_t Count = 0;
-	bool bGood = true;
-	for (bool bMore = true; bMore && bGood; ++Count)
-	{
-		const std::from_chars_result Read = Count < 3 ? std::from_chars(Next, End, Request.At[Count])
-													  : std::from_chars_result{Next, std::errc::invalid_argument};
-		bMore = Read.ec == std::errc() && Read.ptr != End && *Read.ptr == ',';
-		bGood = Read.ec == std::errc() && (bMore || Read.ptr == End);
-		Next = bMore ? Read.ptr + 1 : Read.ptr;
-	}
-	Request.bThread = Count == 3;
+	const std::vector<int32_t> Numbers = ParseList<int32_t>(Pixel);
+	const bool bGood = Numbers.size() == 2 || Numbers.size() == 3;
+	std::copy_n(Numbers.begin(), bGood ? Numbers.size() : 0, Request.At.begin());
+	Request.bThread = Numbers.size() == 3;
 	const auto [X, Y, Z] = Request.At;
 	const bool bInside = X >= 0 && Y >= 0 && Z >= 0 && (Request.bThread || !Frame[0] || (X < Frame[0] && Y < Frame[1]));
-	if (!bGood || Count < 2 || !bInside)
+	if (!bGood || !bInside)
 	{
 		const std::string Size = std::to_string(Frame[0]) + " x " + std::to_string(Frame[1]);
 		throw BadArgument("'" + Pixel + "' is not a pixel of the frame, which is " + Size +

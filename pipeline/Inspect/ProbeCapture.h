@@ -6,8 +6,6 @@
 #include "Inspect/DispatchShaders.h"
 
 #include <array>
-#include <map>
-#include <memory>
 #include <optional>
 
 namespace Drydock

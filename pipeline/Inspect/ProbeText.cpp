@@ -91,13 +91,11 @@ void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 				});
 			Writer.EndObject();
 		});
-	Writer.Array("writes", Pass.Writes,
+	Writer.Objects("writes", Pass.Writes,
 		[&](const FProbeWrite& Write)
 		{
-			Writer.BeginObject(true);
 			Writer.Member("target", Write.Target);
 			WriteTexel(Writer, Write);
-			Writer.EndObject();
 		});
 	Writer.EndObject();
 }
@@ -150,8 +148,7 @@ std::string MakeProbeText(
 std::string MakeProbeJson(
 	const std::vector<FProbePass>& Passes, const std::vector<FProbePass>& Against, const FProbeRequest& Request)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"x", Request.X}, {"y", Request.Y}, {"width", Request.Width}, {"height", Request.Height}});
 	for (const auto& [Key, List] : {std::pair("passes", &Passes), std::pair("against", &Against)})
 	{
@@ -165,7 +162,6 @@ std::string MakeProbeJson(
 			.Object({{"pass", uint64_t(Difference->Pass)}, {"write", uint64_t(Difference->Write)},
 				{"otherPasses", Difference->bOtherPasses}});
 	}
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

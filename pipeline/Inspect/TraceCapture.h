@@ -8,7 +8,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace Drydock
 {

@@ -77,11 +77,9 @@ void WriteTrace(FJsonWriter& Writer, const FCapturedTrace& Trace)
 
 std::string MakeTraceJson(const std::vector<FCapturedTrace>& Traces, const FTraceRequest& Request)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("at", Request.At);
 	Writer.Array("traces", Traces, [&](const FCapturedTrace& Trace) { WriteTrace(Writer, Trace); });
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

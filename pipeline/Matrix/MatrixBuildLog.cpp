@@ -2,6 +2,7 @@
 #include "Matrix/MatrixBuildLog.h"
 
 #include "Matrix/MatrixLines.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -104,10 +105,7 @@ std::vector<FMatrixMessage> ReadCompilerMessages(
 			continue;
 		}
 		Message->File = GetPathFrom(Message->File, Folder);
-		if (std::ranges::find(Messages, *Message) == Messages.end())
-		{
-			Messages.push_back(*Message);
-		}
+		AddUnique(Messages, *Message);
 	}
 	return Messages;
 }

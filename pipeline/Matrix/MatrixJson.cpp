@@ -111,14 +111,12 @@ void WriteRow(FJsonWriter& Writer, const FMatrixRow& Row)
 
 std::string MakeMatrixJson(const FVersionMatrix& Matrix)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"plugin", Matrix.Name}, {"folder", Matrix.Folder}, {"config", Matrix.Config}});
 	Writer.Array("versions", Matrix.Rows, [&](const FMatrixRow& Row) { WriteRow(Writer, Row); });
 	Writer.Member("summary", SummarizeMatrix(Matrix));
 	WriteTexts(Writer, "advice", AdviseOnMatrix(Matrix));
 	Writer.Member("passed", GetMatrixExitCode(Matrix) == ExitDone);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -2,10 +2,10 @@
 #include "Matrix/MatrixRunReport.h"
 
 #include "Matrix/MatrixLines.h"
+#include "RangeTools.h"
 #include "Text/Json.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <regex>
 
 namespace Drydock
@@ -103,10 +103,7 @@ FMatrixRun ReadMatrixRun(int ExitCode, const std::string& Output, const std::str
 	for (const FJsonValue& Call : Root.GetElements("extensionCalls"))
 	{
 		const std::string Extension = Call.GetString("extension");
-		if (std::find(Run.Extensions.begin(), Run.Extensions.end(), Extension) == Run.Extensions.end())
-		{
-			Run.Extensions.push_back(Extension);
-		}
+		AddUnique(Run.Extensions, Extension);
 	}
 	Run.Passes = ReadPasses(Root);
 	return Run;

@@ -79,12 +79,7 @@ std::string DescribeVersions(const std::vector<int>& Minors)
 		}
 		First = Last + 1;
 	}
-	std::string Text;
-	for (size_t Index = 0; Index < Parts.size(); ++Index)
-	{
-		Text += (Index == 0 ? "" : Index + 1 < Parts.size() ? ", " : " and ") + Parts[Index];
-	}
-	return Text;
+	return JoinWords(Parts);
 }
 
 std::string DescribeVersion(int Minor)

@@ -9,6 +9,7 @@
 #include "Objects/IniText.h"
 #include "Objects/ObjectErrors.h"
 #include "Objects/PropertyText.h"
+#include "RangeTools.h"
 #include "RegularFile.h"
 #include "UObject/Reflection.h"
 
@@ -105,10 +106,7 @@ FPluginFolders FindPluginFolders(const std::string& Library)
 		{
 			Found.Names.emplace_back(*Plugin->GetName());
 			const std::string Folder = *Plugin->GetBaseDir();
-			if (std::ranges::find(Found.Folders, Folder) == Found.Folders.end())
-			{
-				Found.Folders.push_back(Folder);
-			}
+			AddUnique(Found.Folders, Folder);
 		}
 	}
 	return Found;

@@ -6,7 +6,6 @@
 #include "UObject/Reflection.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace Drydock

@@ -73,28 +73,6 @@ Files::path GetTemplates()
 	return Files::path(FindTemplates()) / "overlay";
 }
 
-std::string ReadOwnFile(const Files::path& Path)
-{
-	return ReadTextFile(
-		Path.string(), "drydock's own file cannot be opened: is drydock installed completely?", MaxBinaryBytes);
-}
-
-/** Files below a folder of templates, from it on. */
-std::vector<std::string> ListTemplate(const Files::path& Template)
-{
-	std::vector<std::string> Found;
-	std::error_code Error;
-	for (Files::recursive_directory_iterator Entry(Template, Error), End; !Error && Entry != End;
-		 Entry.increment(Error))
-	{
-		if (Entry->is_regular_file(Error))
-		{
-			Found.push_back(Entry->path().lexically_relative(Template).generic_string());
-		}
-	}
-	return Found;
-}
-
 /** drydock's own file of a shader; empty: it has none. No overlay is active here. */
 std::string FindOwnShader(const std::string& VirtualPath)
 {
@@ -227,23 +205,18 @@ std::vector<std::string> ListOverlayPasses()
 std::vector<FPatchFile> MakeOverlayFiles(const std::string& Name, const std::string& Pass)
 {
 	const std::vector<FPassFunction>& Functions = GetPassFunctions();
-	const auto Found = std::find_if(Functions.begin(), Functions.end(),
-		[&](const FPassFunction& Function) { return GetShortName(Function.Name) == Pass; });
-	if (Found == Functions.end())
+	const FPassFunction* const Found =
+		FindItem(Functions, Pass, [](const FPassFunction& Function) { return GetShortName(Function.Name); });
+	if (Found == nullptr)
 	{
-		const bool bFunction = std::any_of(
-			Functions.begin(), Functions.end(), [&](const FPassFunction& Function) { return Function.Name == Pass; });
+		const bool bFunction = Contains(Functions, Pass, &FPassFunction::Name);
 		throw FError({.Code = ErrorOverlayFolder,
 						 .Message = "there is no pass \"" + Pass + "\"" +
 									Suggest(bFunction ? GetShortName(Pass) : Pass, ListOverlayPasses()) +
 									"; the passes are " + JoinText(ListOverlayPasses())},
 			ExitUsage);
 	}
-	std::vector<FPatchFile> Made;
-	for (const std::string& File : ListTemplate(GetTemplates() / Pass))
-	{
-		Made.push_back({File, ReadOwnFile(GetTemplates() / Pass / File)});
-	}
+	std::vector<FPatchFile> Made = ReadTemplate(GetTemplates() / Pass);
 	if (*Found->Shader != '\0')
 	{
 		Made.push_back({PrivateShaders + Found->Shader,

@@ -4,6 +4,7 @@
 #include "Overlay/CppText.h"
 #include "Overlay/OverlayErrors.h"
 #include "PostProcessSettingsReflection.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -32,8 +33,7 @@ std::vector<std::string> FindOverriddenNames(const std::string& Blanked)
 		}
 		const std::string Name = Blanked.substr(At + OverrideBit.size(), End - At - OverrideBit.size());
 		const size_t Colon = SkipBlanks(Blanked, End);
-		if (!Name.empty() && Colon < Blanked.size() && Blanked[Colon] == ':' &&
-			std::find(Names.begin(), Names.end(), Name) == Names.end())
+		if (!Name.empty() && Colon < Blanked.size() && Blanked[Colon] == ':' && !Contains(Names, Name))
 		{
 			Names.push_back(Name);
 		}
@@ -241,8 +241,7 @@ void NotePropertiesWithoutBit(
 		const std::string Declaration = Trim(Member);
 		const std::string Plain = Declaration.substr(Declaration.find_last_of(" \t\n") + 1);
 		if (!Plain.empty() && !Plain.starts_with(OverrideBit) && !Plain.ends_with("_DEPRECATED") &&
-			Plain != "WeightedBlendables" && FindSettingField(Plain) == nullptr &&
-			std::find(Overridden.begin(), Overridden.end(), Plain) == Overridden.end())
+			Plain != "WeightedBlendables" && FindSettingField(Plain) == nullptr && !Contains(Overridden, Plain))
 		{
 			Diagnostics.push_back({.Severity = ESeverity::Note,
 				.Code = ErrorOverlaySetting,
@@ -322,10 +321,7 @@ FOverlaySettings ReadOverlaySettings(const FOverlayText& Header, const FOverlayT
 				continue;
 			}
 			Setting.EnumNames = Enum->Names;
-			if (std::find(Found.EnumTexts.begin(), Found.EnumTexts.end(), Enum->Text) == Found.EnumTexts.end())
-			{
-				Found.EnumTexts.push_back(Enum->Text);
-			}
+			AddUnique(Found.EnumTexts, Enum->Text);
 		}
 		Setting.Default = FindAssignment(BlankedSource, Name);
 		Setting.Default = Setting.Default.empty() ? Declared->Initializer : Setting.Default;

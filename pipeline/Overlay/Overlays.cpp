@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 
 namespace Drydock
@@ -270,7 +269,7 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 		std::set<std::string> Missing;
 		for (const FOverlayPass& Pass : Folder.Passes)
 		{
-			if (std::find(Filled.begin(), Filled.end(), Pass.Function->Name) == Filled.end())
+			if (!Contains(Filled, Pass.Function->Name))
 			{
 				Missing.insert(Pass.Function->Name);
 				Diagnostics.push_back({.Code = ErrorOverlayPlace,
@@ -292,10 +291,8 @@ void ReportOverlays(const FConfig& Config, const FOverlaysOfRun& Overlays, std::
 				Unread.push_back(Name + (bNear ? " (did you mean " + Near + "?)" : " (no shader reads it)"));
 				continue;
 			}
-			const auto Default = std::find_if(Folder.Defaults.begin(), Folder.Defaults.end(),
-				[&](const FOverlayDefault& Each) { return Each.GetPlace() == Name; });
-			const FSettingField* const Field =
-				Default != Folder.Defaults.end() ? FindSettingField(Default->Name) : nullptr;
+			const FOverlayDefault* const Default = FindItem(Folder.Defaults, Name, &FOverlayDefault::GetPlace);
+			const FSettingField* const Field = Default != nullptr ? FindSettingField(Default->Name) : nullptr;
 			if (Missing.contains(Name) || (Field != nullptr && Field->Get(FPostProcessSettings()) == Field->Default))
 			{
 				continue; // it does not act, or it is drydock's value

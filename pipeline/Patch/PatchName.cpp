@@ -3,6 +3,7 @@
 
 #include "GlobalShader.h"
 #include "InstallPaths.h"
+#include "RangeTools.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
 
@@ -10,7 +11,6 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 namespace Drydock
@@ -23,44 +23,13 @@ namespace Files = std::filesystem;
 
 constexpr size_t LongestName = 64;
 
-/** C++20's, with the alternative spellings of operators. */
-constexpr std::array Keywords = {"alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool",
-	"break", "case", "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield",
-	"compl", "concept", "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default",
-	"delete", "do", "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for",
-	"friend", "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq",
-	"nullptr", "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires",
-	"return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch", "template",
-	"this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union", "unsigned", "using",
-	"virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq"};
-
-/** Modules of the engine that a patch is likely to be named after. */
-constexpr std::array EngineModules = {"AnimGraphRuntime", "AppFramework", "ApplicationCore", "AssetRegistry",
-	"AudioMixer", "AugmentedReality", "Chaos", "CinematicCamera", "Composure", "Core", "CoreUObject",
-	"DeveloperSettings", "Engine", "EngineSettings", "EnhancedInput", "Foliage", "HeadMountedDisplay", "ImageCore",
-	"ImageWrapper", "InputCore", "Json", "Landscape", "Launch", "LevelSequence", "MaterialShaderQualitySettings",
-	"Media", "MediaAssets", "MovieScene", "NavigationSystem", "Niagara", "OpenColorIO", "Paper2D", "PhysicsCore",
-	"Projects", "RHI", "RHICore", "RenderCore", "Renderer", "Slate", "SlateCore", "SlateRHIRenderer", "Sockets", "UMG",
-	"UnrealEd", "VectorVM", "VulkanRHI", "D3D12RHI", "MetalRHI"};
-
-/** Targets that CMake makes itself, or that a patch's CMakeLists.txt has beside its own. */
-constexpr std::array BuildTargets = {"all", "clean", "depend", "drydock", "edit_cache", "help", "install", "package",
-	"package_source", "preinstall", "rebuild_cache", "test"};
+constexpr const char* NamesText =
+#include "PatchNames.txt"
+	;
 
 bool IsNameStart(char Letter)
 {
 	return std::isalpha(static_cast<unsigned char>(Letter)) != 0;
-}
-
-bool IsNamePart(char Letter)
-{
-	return IsNameStart(Letter) || std::isdigit(static_cast<unsigned char>(Letter)) != 0 || Letter == '_';
-}
-
-template<typename TList>
-bool Holds(const TList& List, const std::string& Name)
-{
-	return std::find(std::begin(List), std::end(List), Name) != std::end(List);
 }
 
 /** The identifier at the start of Text, after white space; Text loses both. */
@@ -68,7 +37,7 @@ std::string TakeName(std::string& Text)
 {
 	const auto Begin =
 		std::find_if(Text.begin(), Text.end(), [](char Letter) { return Letter != ' ' && Letter != '\t'; });
-	const auto End = std::find_if_not(Begin, Text.end(), IsNamePart);
+	const auto End = std::find_if_not(Begin, Text.end(), IsWordCharacter);
 	const std::string Name(Begin, End);
 	Text.erase(Text.begin(), End);
 	return Name;
@@ -94,7 +63,7 @@ std::string FindDeclaredName(std::string Line)
 		Line.erase(0, 1);
 		return TakeName(Line);
 	}
-	if (!Holds(std::array{"class", "struct", "enum", "union", "using"}, First))
+	if (!Contains(std::array{"class", "struct", "enum", "union", "using"}, First))
 	{
 		return {};
 	}
@@ -157,7 +126,7 @@ std::set<std::string> FindTakenNames()
 
 std::string ExplainBadPatchName(const std::string& Name, const std::set<std::string>& Taken)
 {
-	if (Name.empty() || !IsNameStart(Name.front()) || !std::all_of(Name.begin(), Name.end(), IsNamePart))
+	if (Name.empty() || !IsNameStart(Name.front()) || !std::all_of(Name.begin(), Name.end(), IsWordCharacter))
 	{
 		return "C++ classes have this name, so it must begin with a letter and consist of letters, digits and _";
 	}
@@ -169,17 +138,12 @@ std::string ExplainBadPatchName(const std::string& Name, const std::set<std::str
 	{
 		return "it has more than " + std::to_string(LongestName) + " letters";
 	}
-	if (Holds(Keywords, Name))
+	for (const std::vector<std::string>& Columns : SplitRows(NamesText))
 	{
-		return "it is a keyword of C++";
-	}
-	if (Holds(EngineModules, Name))
-	{
-		return "the engine has a module of that name";
-	}
-	if (Holds(BuildTargets, Name))
-	{
-		return "CMake has a target of that name";
+		if (Contains(SplitText(Columns[1], ' '), Name))
+		{
+			return Columns[0];
+		}
 	}
 	for (const std::string& Own : GetNamesOfPatch(Name))
 	{
@@ -194,7 +158,7 @@ std::string ExplainBadPatchName(const std::string& Name, const std::set<std::str
 std::string SuggestPatchName(const std::string& Name, const std::set<std::string>& Taken)
 {
 	std::string Clean;
-	std::copy_if(Name.begin(), Name.end(), std::back_inserter(Clean), IsNamePart);
+	std::copy_if(Name.begin(), Name.end(), std::back_inserter(Clean), IsWordCharacter);
 	Clean.erase(Clean.begin(), std::find_if(Clean.begin(), Clean.end(), IsNameStart));
 	if (Clean.empty())
 	{

@@ -27,17 +27,31 @@ const std::string TemplateName = "MyPatch";
 	throw FError({.Code = Code, .Message = Message, .File = File.string()}, ExitCode);
 }
 
-std::string ReadFile(const Files::path& Path)
-{
-	return ReadTextFile(Path, "drydock's own file cannot be opened: is drydock installed completely?");
-}
-
 } // namespace
 
 std::string FindTemplates()
 {
 	const std::string Installed = FindInstalled("share/drydock/templates");
 	return Installed.empty() ? DRYDOCK_SOURCE_DIR "/templates" : Installed;
+}
+
+std::string ReadOwnFile(const Files::path& Path)
+{
+	return ReadTextFile(Path, "drydock's own file cannot be opened: is drydock installed completely?", MaxBinaryBytes);
+}
+
+std::vector<FPatchFile> ReadTemplate(const Files::path& Folder)
+{
+	std::vector<FPatchFile> Found;
+	std::error_code Error;
+	for (Files::recursive_directory_iterator Entry(Folder, Error), End; !Error && Entry != End; Entry.increment(Error))
+	{
+		if (Entry->is_regular_file(Error))
+		{
+			Found.push_back({Entry->path().lexically_relative(Folder).generic_string(), ReadOwnFile(Entry->path())});
+		}
+	}
+	return Found;
 }
 
 std::string RenamePatch(const std::string& Text, const std::string& Name)
@@ -56,22 +70,16 @@ std::vector<FPatchFile> MakePatchFiles(const std::string& Name)
 	const Files::path Root = Files::path(FindTemplates()).parent_path();
 	const Files::path Template = Root / "templates" / TemplateName;
 	std::vector<FPatchFile> Project;
-	std::error_code Error;
-	for (Files::recursive_directory_iterator Entry(Template, Error), End; !Error && Entry != End;
-		 Entry.increment(Error))
+	for (const FPatchFile& File : ReadTemplate(Template))
 	{
-		if (Entry->is_regular_file())
-		{
-			const std::string Path = Files::relative(Entry->path(), Template).generic_string();
-			Project.push_back({RenamePatch(Path, Name), RenamePatch(ReadFile(Entry->path()), Name)});
-		}
+		Project.push_back({RenamePatch(File.Path, Name), RenamePatch(File.Text, Name)});
 	}
 	if (Project.empty())
 	{
 		Fail(ErrorFileMissing, ExitFiles, Template,
 			"drydock's own templates are missing: is drydock installed completely?");
 	}
-	Project.push_back({"configs/scenes/room.exr", ReadFile(Root / "configs/scenes/moving_camera.0001.exr")});
+	Project.push_back({"configs/scenes/room.exr", ReadOwnFile(Root / "configs/scenes/moving_camera.0001.exr")});
 	Project.push_back({"configs/schema/drydock.schema.json", MakePublishedSchema()});
 	std::sort(Project.begin(), Project.end(), [](const FPatchFile& A, const FPatchFile& B) { return A.Path < B.Path; });
 	return Project;

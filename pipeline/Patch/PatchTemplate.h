@@ -3,6 +3,7 @@
 
 #include "DrydockAPI.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct FPatchFile
 
 /** The folder of the files that drydock brings along to make others from, in an installed tree and in its source. */
 DRYDOCK_API std::string FindTemplates();
+
+/** The text of one of drydock's own files. Throws FError (exit code 3) where it is not where it was installed. */
+DRYDOCK_API std::string ReadOwnFile(const std::filesystem::path& Path);
+
+/** The files below a folder of templates, with their paths from it on. */
+DRYDOCK_API std::vector<FPatchFile> ReadTemplate(const std::filesystem::path& Folder);
 
 /** Every "MyPatch" of the text becomes Name. */
 DRYDOCK_API std::string RenamePatch(const std::string& Text, const std::string& Name);

@@ -92,8 +92,8 @@ FImagePart MakePart(const Imf::Header& Header)
 class FExrReader final : public IImageReader
 {
 public:
-	FExrReader(const std::string& Path, FImageBytesPointer Bytes)
-		: Stream(OpenExrStream(Path, Bytes))
+	FExrReader(const std::string& Path, std::unique_ptr<std::istream> InStream)
+		: Stream(MakeExrStream(Path, std::move(InStream)))
 		, File(*Stream, CountExrThreads())
 	{
 		for (int Part = 0; Part < File.parts(); ++Part)
@@ -153,9 +153,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<IImageReader> MakeExrReader(const std::string& Path, FImageBytesPointer Bytes)
+std::unique_ptr<IImageReader> MakeExrReader(const std::string& Path, std::unique_ptr<std::istream> Stream)
 {
-	return std::make_unique<FExrReader>(Path, Bytes);
+	return std::make_unique<FExrReader>(Path, std::move(Stream));
 }
 
 } // namespace Drydock

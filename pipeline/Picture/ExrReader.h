@@ -7,6 +7,6 @@ namespace Drydock
 {
 
 /** The header must have passed CheckExrHeader. Throws std::exception. */
-std::unique_ptr<IImageReader> MakeExrReader(const std::string& Path, FImageBytesPointer Bytes);
+std::unique_ptr<IImageReader> MakeExrReader(const std::string& Path, std::unique_ptr<std::istream> Stream);
 
 } // namespace Drydock

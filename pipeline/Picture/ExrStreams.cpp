@@ -1,4 +1,4 @@
-// Streams over memory and files for OpenEXR.
+// Streams for OpenEXR over those of the standard library.
 #include "Picture/ExrStreams.h"
 
 #include "TileExecutor.h"
@@ -6,7 +6,7 @@
 #include <OpenEXR/ImfThreading.h>
 
 #include <cstring>
-#include <fstream>
+#include <istream>
 #include <mutex>
 #include <stdexcept>
 
@@ -16,76 +16,41 @@ namespace Drydock
 namespace
 {
 
-class FMemoryInput final : public Imf::IStream
+class FExrInput final : public Imf::IStream
 {
 public:
-	explicit FMemoryInput(const std::string& InBytes)
-		: IStream("memory")
-		, Bytes(InBytes)
+	FExrInput(const std::string& Name, std::unique_ptr<std::istream> InStream)
+		: IStream(Name.c_str())
+		, Stream(std::move(InStream))
 	{
 	}
 
 	bool read(char To[], int Count) override
 	{
-		if (Count < 0 || At > Bytes.size() || static_cast<size_t>(Count) > Bytes.size() - At)
+		if (!Stream->read(To, Count))
 		{
 			throw std::runtime_error("the file ends early");
 		}
-		std::memcpy(To, Bytes.data() + At, static_cast<size_t>(Count));
-		At += static_cast<uint64_t>(Count);
-		return At < Bytes.size();
+		return Stream->peek() != std::istream::traits_type::eof();
 	}
 
-	uint64_t tellg() override { return At; }
-	void seekg(uint64_t Position) override { At = Position; }
-
-private:
-	const std::string& Bytes;
-	uint64_t At = 0;
-};
-
-class FFileInput final : public Imf::IStream
-{
-public:
-	explicit FFileInput(const std::string& Path)
-		: IStream(Path.c_str())
-		, File(Path, std::ios::binary)
-	{
-		if (!File)
-		{
-			throw std::runtime_error("the file cannot be opened");
-		}
-	}
-
-	bool read(char To[], int Count) override
-	{
-		if (!File.read(To, Count))
-		{
-			throw std::runtime_error("the file ends early");
-		}
-		return File.peek() != std::ifstream::traits_type::eof();
-	}
-
-	uint64_t tellg() override { return static_cast<uint64_t>(std::streamoff(File.tellg())); }
-
+	uint64_t tellg() override { return static_cast<uint64_t>(std::streamoff(Stream->tellg())); }
 	void seekg(uint64_t Position) override
 	{
-		File.clear();
-		File.seekg(static_cast<std::streamoff>(Position));
+		Stream->clear();
+		Stream->seekg(static_cast<std::streamoff>(Position));
 	}
-
-	void clear() override { File.clear(); }
+	void clear() override { Stream->clear(); }
 
 private:
-	std::ifstream File;
+	std::unique_ptr<std::istream> Stream;
 };
 
 } // namespace
 
-std::unique_ptr<Imf::IStream> OpenExrStream(const std::string& Path, FImageBytesPointer Bytes)
+std::unique_ptr<Imf::IStream> MakeExrStream(const std::string& Name, std::unique_ptr<std::istream> Stream)
 {
-	return Bytes != nullptr ? std::unique_ptr<Imf::IStream>(std::make_unique<FMemoryInput>(*Bytes))
-							: std::make_unique<FFileInput>(Path);
+	return std::make_unique<FExrInput>(Name, std::move(Stream));
 }
 
 void FExrOutput::write(const char Data[], int Count)

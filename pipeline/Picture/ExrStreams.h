@@ -1,15 +1,17 @@
-// Implements OpenEXR's streams: a file or bytes in memory to read, and a file whose every write is checked.
+// Implements OpenEXR's streams: one to read, and a file whose every write is checked.
 #pragma once
 
-#include "Picture/ImageReader.h"
-
 #include <OpenEXR/ImfIO.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
 
 namespace Drydock
 {
 
-/** Bytes null: the file at Path. Throws std::exception where it cannot be opened. */
-std::unique_ptr<Imf::IStream> OpenExrStream(const std::string& Path, FImageBytesPointer Bytes);
+/** The stream, under a name for OpenEXR's messages. */
+std::unique_ptr<Imf::IStream> MakeExrStream(const std::string& Name, std::unique_ptr<std::istream> Stream);
 
 /** Collects what OpenEXR writes: it goes back to fill in the table of lines. */
 class FExrOutput final : public Imf::OStream

@@ -52,14 +52,6 @@ bool IsColorChannel(const std::string& Name)
 /** Numbers that one read gives: 8 GB of them. */
 constexpr size_t MaxImageValues = size_t(1) << 31;
 
-/** Which reader the header calls for; it has been looked at. OpenImageIO's names. */
-std::unique_ptr<IImageReader> MakeReader(const std::string& Path, FImageBytesPointer Bytes, const std::string& Format)
-{
-	return Format == "openexr" ? MakeExrReader(Path, Bytes)
-		   : Format == "png"   ? MakePngReader(Path, Bytes)
-							   : MakeOpenImageIOReader(Path, Bytes, Format);
-}
-
 std::unique_ptr<IImageReader> OpenImage(const std::string& Path)
 {
 	const std::string* const Bytes = FImageBytes::Find(Path);
@@ -68,14 +60,17 @@ std::unique_ptr<IImageReader> OpenImage(const std::string& Path)
 	{
 		throw MakeImageError(ErrorFileMissing, Path, "the image file cannot be opened: " + Readable.GetProblem());
 	}
-	const std::unique_ptr<std::istream> Stream =
+	std::unique_ptr<std::istream> Stream =
 		Bytes != nullptr ? std::unique_ptr<std::istream>(std::make_unique<std::istringstream>(*Bytes))
 						 : std::make_unique<std::ifstream>(Path, std::ios::binary);
 	FHeaderBytes Header(Path, *Stream);
-	const std::string Format = CheckImageHeader(Path, Header);
+	const std::string Format = CheckImageHeader(Path, Header); // OpenImageIO's name
+	Header.SkipTo(0);
 	try
 	{
-		return MakeReader(Path, Bytes, Format);
+		return Format == "openexr" ? MakeExrReader(Path, std::move(Stream))
+			   : Format == "png"   ? MakePngReader(std::move(Stream))
+								   : MakeOpenImageIOReader(Path, Bytes, Format);
 	}
 	catch (const std::exception& Error)
 	{

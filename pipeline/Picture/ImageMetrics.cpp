@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace Drydock
@@ -305,11 +306,8 @@ FComparedImage ReadComparedImage(const std::string& Path)
 	FImageFile File(Path);
 	FComparedImage Result;
 	Result.Channels = File.GetChannels();
-	std::vector<int> Indices;
-	for (size_t Channel = 0; Channel < Result.Channels.size(); ++Channel)
-	{
-		Indices.push_back(static_cast<int>(Channel));
-	}
+	std::vector<int> Indices(Result.Channels.size());
+	std::iota(Indices.begin(), Indices.end(), 0);
 	const std::vector<std::vector<float>> Planes = File.Read(Indices);
 	const bool bOwnDisplay = File.GetAttribute("drydock:encoding") == "sRGB";
 	Result.Encoding = File.IsEncoded() || bOwnDisplay ? EImageEncoding::Display : EImageEncoding::Linear;

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
-#include <fstream>
-#include <sstream>
+#include <istream>
 #include <stdexcept>
 
 namespace Drydock
@@ -22,9 +21,8 @@ namespace
 class FPngReader final : public IImageReader, private FNoncopyable
 {
 public:
-	FPngReader(const std::string& Path, FImageBytesPointer Bytes)
-		: Stream(Bytes != nullptr ? std::unique_ptr<std::istream>(std::make_unique<std::istringstream>(*Bytes))
-								  : std::make_unique<std::ifstream>(Path, std::ios::binary))
+	explicit FPngReader(std::unique_ptr<std::istream> InStream)
+		: Stream(std::move(InStream))
 		, Png(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, OnError, OnWarning))
 		, Info(Png != nullptr ? png_create_info_struct(Png) : nullptr)
 		, Parts(1)
@@ -206,9 +204,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<IImageReader> MakePngReader(const std::string& Path, FImageBytesPointer Bytes)
+std::unique_ptr<IImageReader> MakePngReader(std::unique_ptr<std::istream> Stream)
 {
-	return std::make_unique<FPngReader>(Path, Bytes);
+	return std::make_unique<FPngReader>(std::move(Stream));
 }
 
 } // namespace Drydock

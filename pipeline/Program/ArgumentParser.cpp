@@ -2,10 +2,10 @@
 #include "Program/ArgumentParser.h"
 
 #include "Program/ProgramModel.h"
+#include "RangeTools.h"
 #include "Text/ConfigErrors.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <sstream>
 
 #pragma push_macro("check") // the library has a function of this name
@@ -178,7 +178,7 @@ FVerbOption FVerbOption::RequireOneOf(const std::vector<std::string>& Words) con
 {
 	const auto Explain = [Words](const std::string& Word)
 	{
-		if (std::find(Words.begin(), Words.end(), Word) != Words.end())
+		if (Contains(Words, Word))
 		{
 			return std::string();
 		}
@@ -197,45 +197,23 @@ FVerbOptions::FVerbOptions(CLI::App* Verb)
 {
 }
 
-FVerbOption FVerbOptions::Add(const std::string& Name, std::string& Value, const std::string& Doc)
+template<typename T>
+FVerbOption FVerbOptions::Add(const std::string& Name, T& Value, const std::string& Doc)
 {
 	return FVerbOption(Verb->add_option(Name, Value, Doc));
 }
 
-FVerbOption FVerbOptions::Add(const std::string& Name, int& Value, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Value, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, double& Value, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Value, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, std::optional<std::string>& Value, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Value, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, std::optional<int>& Value, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Value, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, std::optional<double>& Value, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Value, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, std::vector<std::string>& Values, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Values, Doc));
-}
-
-FVerbOption FVerbOptions::Add(const std::string& Name, std::vector<int>& Values, const std::string& Doc)
-{
-	return FVerbOption(Verb->add_option(Name, Values, Doc));
-}
+#define DRYDOCK_OPTION(...) \
+	template FVerbOption FVerbOptions::Add(const std::string& Name, __VA_ARGS__& Value, const std::string& Doc);
+DRYDOCK_OPTION(std::string)
+DRYDOCK_OPTION(int)
+DRYDOCK_OPTION(double)
+DRYDOCK_OPTION(std::optional<std::string>)
+DRYDOCK_OPTION(std::optional<int>)
+DRYDOCK_OPTION(std::optional<double>)
+DRYDOCK_OPTION(std::vector<std::string>)
+DRYDOCK_OPTION(std::vector<int>)
+#undef DRYDOCK_OPTION
 
 FVerbOption FVerbOptions::Add(
 	const std::string& Name, const std::function<void(const std::string&)>& Take, const std::string& Doc)

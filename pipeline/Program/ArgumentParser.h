@@ -81,16 +81,9 @@ class FVerbOptions
 public:
 	explicit FVerbOptions(CLI::App* Verb);
 
-	FVerbOption Add(const std::string& Name, std::string& Value, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, int& Value, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, double& Value, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, std::optional<std::string>& Value, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, std::optional<int>& Value, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, std::optional<double>& Value, const std::string& Doc);
-
-	/** All words that follow are values, up to the next option. */
-	FVerbOption Add(const std::string& Name, std::vector<std::string>& Values, const std::string& Doc);
-	FVerbOption Add(const std::string& Name, std::vector<int>& Values, const std::string& Doc);
+	/** T: std::string, int or double; std::optional or, up to the next option, std::vector of such. */
+	template<typename T>
+	FVerbOption Add(const std::string& Name, T& Value, const std::string& Doc);
 
 	/** Calls Take with the value once all arguments are read. Take may throw FError. */
 	FVerbOption Add(

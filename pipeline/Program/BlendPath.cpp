@@ -63,8 +63,7 @@ std::string ListSettings(const FSettingsWalk& Walk)
 /** {csv, svg, settings: [names], points: [{point, distance, location, weights: {volume: weight}}]} */
 std::string MakeWalkJson(const FSettingsWalk& Walk, const std::string& Csv, const std::string& Svg)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"csv", Csv}, {"svg", Svg}, {"settings", GetNames(Walk)}});
 	Writer.Array("points", Walk.Samples,
 		[&](const FWalkSample& Sample)
@@ -85,7 +84,6 @@ std::string MakeWalkJson(const FSettingsWalk& Walk, const std::string& Csv, cons
 			Writer.EndObject();
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -6,11 +6,12 @@
 #include "Program/ArgumentParser.h"
 #include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
+#include "RangeTools.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
 #include "Text/Terminal.h"
 #include "Text/Version.h"
-#include "RangeTools.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -22,17 +23,6 @@ namespace Drydock
 namespace
 {
 
-/** "run, check or list" */
-std::string JoinNames(const std::vector<std::string>& Names)
-{
-	std::string Text;
-	for (size_t Index = 0; Index < Names.size(); ++Index)
-	{
-		Text += (Index == 0 ? "" : Index + 1 < Names.size() ? ", " : " or ") + Names[Index];
-	}
-	return Text;
-}
-
 std::string ExplainUnknown(const char* Kind, const std::string& Name, const std::vector<std::string>& Candidates)
 {
 	return std::string("there is no ") + Kind + " " + Name + SuggestName(Name, Candidates);
@@ -42,16 +32,12 @@ std::string ExplainUnknown(const char* Kind, const std::string& Name, const std:
 std::string ExplainMistake(
 	const FProgramModel& Program, const std::vector<std::string>& Arguments, const std::string& Otherwise)
 {
-	const auto Contains = [](const std::vector<std::string>& Names, const std::string& Name)
-	{
-		return std::find(Names.begin(), Names.end(), Name) != Names.end();
-	};
 	const FVerbModel* Chosen = FindVerb(Program, "");
 	for (size_t Level = 0; !Chosen->Verbs.empty(); ++Level)
 	{
 		if (Level >= Arguments.size())
 		{
-			return "a verb is missing after " + Arguments[Level - 1] + ": " + JoinNames(Chosen->Verbs);
+			return "a verb is missing after " + Arguments[Level - 1] + ": " + JoinWords(Chosen->Verbs, " or ");
 		}
 		if (!Contains(Chosen->Verbs, Arguments[Level]))
 		{
@@ -115,7 +101,7 @@ int ExplainArguments(
 {
 	const std::string Mistake = ExplainMistake(Parser.Read(), Arguments, Otherwise);
 	PrintText(stderr, "drydock: " + Mistake + "\nTry drydock --help.\n");
-	if (std::find(Arguments.begin(), Arguments.end(), "--json") != Arguments.end())
+	if (Contains(Arguments, "--json"))
 	{
 		PrintMessages({{.Code = ErrorBadArgument, .Message = Mistake}});
 	}

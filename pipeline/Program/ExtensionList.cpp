@@ -39,10 +39,10 @@ std::string DescribeVersions(const FHookVersions& Hook)
 
 std::string DescribeHook(const FHookVersions& Hook)
 {
-	const std::string Instead = Hook.Instead[0] != '\0' ? "; override " + std::string(Hook.Instead) : "";
-	const std::string Why = Hook.NeverHere != nullptr ? ": it " + std::string(Hook.NeverHere)
-							: Hook.First > Hook.Last  ? ": no longer called"
-													  : "";
+	const std::string Instead = Hook.Instead.empty() ? "" : "; override " + Hook.Instead;
+	const std::string Why = !Hook.NeverHere.empty()  ? ": it " + Hook.NeverHere
+							: Hook.First > Hook.Last ? ": no longer called"
+													 : "";
 	return Hook.Signature + (Why.empty() ? "" : Why + Instead);
 }
 

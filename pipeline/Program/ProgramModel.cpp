@@ -1,9 +1,8 @@
 // Finds the groups of verbs and the words that options take.
 #include "Program/ProgramModel.h"
 
+#include "RangeTools.h"
 #include "TextTools.h"
-
-#include <algorithm>
 
 namespace Drydock
 {
@@ -47,8 +46,7 @@ void AddGroupsAndWords(FProgramModel& Model)
 
 const FVerbModel* FindVerb(const FProgramModel& Model, const std::string& Name)
 {
-	const auto Found = std::ranges::find(Model, Name, &FVerbModel::Name);
-	return Found == Model.end() ? nullptr : &*Found;
+	return FindItem(Model, Name, &FVerbModel::Name);
 }
 
 } // namespace Drydock

@@ -10,6 +10,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/Terminal.h"
 #include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -25,16 +26,7 @@ namespace
 
 const char* GetColor(ESeverity Severity)
 {
-	switch (Severity)
-	{
-	case ESeverity::Error:
-		return "\x1b[31m";
-	case ESeverity::Warning:
-		return "\x1b[33m";
-	case ESeverity::Note:
-		break;
-	}
-	return "\x1b[36m";
+	return Severity == ESeverity::Error ? "\x1b[31m" : Severity == ESeverity::Warning ? "\x1b[33m" : "\x1b[36m";
 }
 
 /** The name that a message offers, "did you mean X?"; empty where it offers none. */
@@ -96,6 +88,11 @@ void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 int GetOutputWidth()
 {
 	return GetTerminalWidth(STDOUT_FILENO);
+}
+
+std::string ListLines(const std::vector<std::string>& Texts)
+{
+	return JoinText(Texts, "", [](const std::string& Text) { return "  " + Text + "\n"; });
 }
 
 void PrintResult(const std::string& Text, bool bJson)

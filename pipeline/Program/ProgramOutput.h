@@ -27,6 +27,9 @@ DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 /** Columns of the terminal that stdout is; 0 where it is none. */
 int GetOutputWidth();
 
+/** The texts, each in an indented line. */
+std::string ListLines(const std::vector<std::string>& Texts);
+
 /** Prints what a verb found to stdout. JSON goes out as it is; the lines of a text fit the terminal (FitLines). */
 void PrintResult(const std::string& Text, bool bJson = false);
 

@@ -23,23 +23,17 @@ struct FBuildOptions
 
 std::string MakeBuildJson(const FBuiltPlugin& Built)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"name", Built.Name}, {"engine", "5." + std::to_string(Built.EngineMinor)},
 		{"library", std::filesystem::absolute(Built.Library).lexically_normal().string()}});
 	Writer.Array("notes", Built.Notes, [&](const std::string& Note) { Writer.Value(Note); });
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
 std::string MakeBuildText(const FBuiltPlugin& Built)
 {
-	std::string Text = Built.Name + ": built for engine 5." + std::to_string(Built.EngineMinor) + "\n";
-	for (const std::string& Note : Built.Notes)
-	{
-		Text += "  " + Note + "\n";
-	}
-	return Text + Built.Library + "\n";
+	return Built.Name + ": built for engine 5." + std::to_string(Built.EngineMinor) + "\n" + ListLines(Built.Notes) +
+		   Built.Library + "\n";
 }
 
 int Build(const FBuildOptions& Options)

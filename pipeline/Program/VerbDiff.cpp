@@ -275,13 +275,11 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 /** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
 std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options, bool bPassed)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"allowed", Options.Max}, {"passed", bPassed}});
-	Writer.Array("images", Pairs,
+	Writer.Objects("images", Pairs,
 		[&](const FPair& Pair)
 		{
-			Writer.BeginObject(true);
 			Writer.Members({{"name", Pair.Name}, {"a", Pair.A}, {"b", Pair.B}});
 			if (!Pair.A.empty() && !Pair.B.empty())
 			{
@@ -293,9 +291,7 @@ std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Op
 					{{"nonFinite", Pair.Error.NumNonFinite}, {"at", std::array{Pair.Error.MaxX, Pair.Error.MaxY}},
 						{"channel", Pair.Channels[static_cast<size_t>(Pair.Error.MaxChannel)]}});
 			}
-			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -18,16 +18,14 @@ namespace
 
 /** An option whose words are those of an enum, in its order. */
 template<typename TEnum>
-void AddWords(FVerbOptions& Verb, const char* Name, std::optional<TEnum>& Value, const std::vector<std::string>& Words,
-	const char* Type, const char* Doc)
+FVerbOption AddWords(FVerbOptions& Verb, const char* Name, std::optional<TEnum>& Value,
+	const std::vector<std::string>& Words, const char* Doc)
 {
-	Verb.Add(
-			Name,
-			[&Value, &Words](const std::string& Word)
-			{ Value = static_cast<TEnum>(std::find(Words.begin(), Words.end(), Word) - Words.begin()); },
-			Doc)
-		.RequireOneOf(Words)
-		.SetType(Type);
+	const std::function<void(const std::string&)> Take = [&Value, Words](const std::string& Word)
+	{
+		Value = static_cast<TEnum>(std::ranges::find(Words, Word) - Words.begin());
+	};
+	return Verb.Add(Name, Take, Doc).RequireOneOf(Words);
 }
 
 void AddTriple(FVerbOptions& Verb, const char* Name, std::optional<std::array<double, 3>>& Value, const char* Type,
@@ -46,10 +44,11 @@ void AddTriple(FVerbOptions& Verb, const char* Name, std::optional<std::array<do
 
 void AddEncodings(FVerbOptions& Verb, FImportAsked& Asked)
 {
-	AddWords(Verb, "--from", Asked.Origin, GetImportOriginWords(), "unreal|blender|drydock|plain",
-		"Use these conventions instead of those that headers and names indicate");
-	Verb.Add("--unit", Asked.Unit, "Unit of depth").RequireOneOf(GetImportUnitWords()).SetType("m|cm|mm|km");
-	AddWords(Verb, "--depth", Asked.Depth, GetImportDepthWords(), "distance|ray|inverse|device|mist",
+	AddWords(Verb, "--from", Asked.Origin, {"plain", "unreal", "blender", "drydock"},
+		"Use these conventions instead of those that headers and names indicate")
+		.SetType("unreal|blender|drydock|plain");
+	Verb.Add("--unit", Asked.Unit, "Unit of depth").RequireOneOf({"m", "cm", "mm", "km"});
+	AddWords(Verb, "--depth", Asked.Depth, {"distance", "ray", "inverse", "device", "mist"},
 		"Depth holds the distance along the camera's axis, the distance from the camera, an inverse, device depth, or "
 		"mist");
 	Verb.Add(
@@ -66,12 +65,12 @@ void AddEncodings(FVerbOptions& Verb, FImportAsked& Asked)
 			"--normals", [&Asked](const std::string& Word) { Asked.bHalved = Word == "encoded"; },
 			"Normals are stored as -1..1, or encoded in 0..1")
 		.RequireOneOf({"signed", "encoded"});
-	AddWords(Verb, "--normal-space", Asked.NormalSpace, GetImportNormalSpaceWords(), "unreal|world|y-up|camera",
+	AddWords(Verb, "--normal-space", Asked.NormalSpace, {"unreal", "world", "y-up", "camera"},
 		"Axes of the normals: Unreal's, right-handed with Z or with Y up, or the camera's");
-	AddWords(Verb, "--velocity", Asked.Velocity, GetImportVelocityWords(), "pixels|pixels-up|ndc|unreal|blender",
+	AddWords(Verb, "--velocity", Asked.Velocity, {"pixels", "pixels-up", "ndc", "unreal", "blender"},
 		"Storage of movement: pixels with y down or up, screen position, Unreal's or Blender's pass");
 	Verb.AddFlag("--flip-velocity", Asked.bFlipVelocity, "Reverse the direction of movement");
-	AddWords(Verb, "--alpha", Asked.Alpha, GetImportAlphaWords(), "premultiplied|straight|opaque",
+	AddWords(Verb, "--alpha", Asked.Alpha, {"premultiplied", "straight", "opaque"},
 		"Colour is already multiplied by alpha (default), must be multiplied, or alpha is ignored");
 }
 

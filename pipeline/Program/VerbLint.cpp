@@ -255,33 +255,21 @@ std::string MakeRulesText()
 
 std::string MakeRulesJson()
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
-	Writer.Array("rules", GetLintRules(),
-		[&](const FLintRule& Rule)
-		{
-			Writer.BeginObject(true);
-			WriteRule(Writer, Rule);
-			Writer.EndObject();
-		});
-	Writer.EndObject();
+	FJsonWriter Writer('{');
+	Writer.Objects("rules", GetLintRules(), [&](const FLintRule& Rule) { WriteRule(Writer, Rule); });
 	return Writer.GetText();
 }
 
 std::string MakeLintJson(const FFound& Found)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
-	Writer.Array("findings", Found.Findings,
+	FJsonWriter Writer('{');
+	Writer.Objects("findings", Found.Findings,
 		[&](const FLintFinding& Finding)
 		{
-			Writer.BeginObject(true);
 			Writer.Members({{"file", Finding.File}, {"line", Finding.Line}, {"what", Finding.What}});
 			WriteRule(Writer, *Finding.Rule);
-			Writer.EndObject();
 		});
 	Writer.Member("shaders", static_cast<uint64_t>(Found.NumShaders));
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -5,7 +5,9 @@
 #include "Patch/PatchTemplate.h"
 #include "PrintText.h"
 #include "Program/ArgumentParser.h"
+#include "Program/ProgramOutput.h"
 #include "Program/Verbs.h"
+#include "RangeTools.h"
 #include "Text/JsonWriter.h"
 
 #include <algorithm>
@@ -76,13 +78,11 @@ std::vector<std::string> GetCommands(const std::string& Folder, const std::strin
 std::string MakePatchJson(
 	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"name", Options.Name}, {"folder", Files::absolute(Folder).lexically_normal().string()}});
 	Writer.Array("files", Project, [&](const FPatchFile& File) { Writer.Value(File.Path); });
 	Writer.Array(
 		"commands", GetCommands(Folder, Options.Name), [&](const std::string& Command) { Writer.Value(Command); });
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
@@ -90,17 +90,10 @@ std::string MakePatchText(
 	const FNewPatchOptions& Options, const std::string& Folder, const std::vector<FPatchFile>& Project)
 {
 	std::string Text = Folder + ": a patch of " + std::to_string(Project.size()) + " files\n";
-	for (const FPatchFile& File : Project)
-	{
-		Text += "  " + File.Path + "\n";
-	}
+	Text += ListLines(ToVector<std::string>(Project, &FPatchFile::Path));
 	Text += FindPrefix().empty() ? "build and run it, with drydock installed by ./dev install PREFIX:\n"
 								 : "build and run it:\n";
-	for (const std::string& Command : GetCommands(Folder, Options.Name))
-	{
-		Text += "  " + Command + "\n";
-	}
-	return Text;
+	return Text + ListLines(GetCommands(Folder, Options.Name));
 }
 
 int MakePatch(const FNewPatchOptions& Options)

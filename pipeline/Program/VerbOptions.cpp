@@ -3,11 +3,9 @@
 
 #include "Config/ConfigKeys.h"
 #include "Diagnostics.h"
+#include "Program/NumberList.h"
 #include "ShaderCache.h"
-#include "Text/ConfigErrors.h"
 
-#include <charconv>
-#include <cmath>
 #include <map>
 
 namespace Drydock
@@ -87,28 +85,8 @@ void AddArithmetic(FVerbOptions& Verb, FRunOptions& Options)
 
 std::array<double, 3> ParseLocation(const std::string& Text)
 {
-	std::array<double, 3> Location = {};
-	const char* At = Text.c_str();
-	const char* const End = At + Text.size();
-	bool bGood = true;
-	for (size_t Index = 0; bGood && Index < Location.size(); ++Index)
-	{
-		while (*At == ' ')
-		{
-			++At;
-		}
-		const std::from_chars_result Result = std::from_chars(At, End, Location[Index]);
-		bGood = Result.ec == std::errc() && std::isfinite(Location[Index]);
-		At = Result.ptr;
-		const bool bLast = Index + 1 == Location.size();
-		bGood = bGood && (bLast ? At == End : *At == ',');
-		At += bLast ? 0 : 1;
-	}
-	if (!bGood)
-	{
-		throw BadArgument("expected X,Y,Z in centimetres such as 25,470,135, found \"" + Text + "\"", "--at");
-	}
-	return Location;
+	const std::vector<double> Numbers = ParseNumbers("--at", Text, 3, 3, "X,Y,Z in centimetres such as 25,470,135");
+	return {Numbers[0], Numbers[1], Numbers[2]};
 }
 
 std::string ChooseOutputFolder(const std::string& Folder, const FRunOptions& Options)

@@ -7,6 +7,7 @@
 #include "Program/ArgumentParser.h"
 #include "Program/ProgramOutput.h"
 #include "Program/Verbs.h"
+#include "RangeTools.h"
 #include "Text/JsonWriter.h"
 #include "TextTools.h"
 
@@ -45,11 +46,8 @@ int MakeOverlay(const FOverlayNewOptions& Options)
 	const std::string Folder = (std::filesystem::path(Options.Folder) / Options.Name).string();
 	const std::vector<FPatchFile> Made = MakeOverlayFiles(Options.Name, Options.Pass);
 	WritePatch(Folder, Made);
-	std::string Text = Folder + ": an overlay of " + std::to_string(Made.size()) + " files\n";
-	for (const FPatchFile& File : Made)
-	{
-		Text += "  " + File.Path + "\n";
-	}
+	const std::string Text = Folder + ": an overlay of " + std::to_string(Made.size()) + " files\n" +
+							 ListLines(ToVector<std::string>(Made, &FPatchFile::Path));
 	PrintText(stdout, Text + "edit the files below Engine, then run it:\n  drydock run " + Folder + "/" + Options.Name +
 						  ".json\n  drydock overlay diff " + Folder + "\n");
 	return ExitDone;
@@ -72,8 +70,7 @@ std::string MakeDifferenceText(
 
 std::string MakeDifferenceJson(const FOverlayFolder& Folder, const FOverlayDifference& Difference)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("overlay", Folder.Name);
 	Writer.Array("hunks", Difference.Hunks,
 		[&](const FOverlayHunk& Hunk)
@@ -82,7 +79,6 @@ std::string MakeDifferenceJson(const FOverlayFolder& Folder, const FOverlayDiffe
 				{{"file", Hunk.File}, {"function", Hunk.Function}, {"lines", Hunk.Lines}, {"drydocksOwn", Hunk.bOwn}});
 		});
 	Writer.Member("notCompared", Difference.NewFiles);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -74,13 +74,11 @@ void NameVolumes(std::vector<FVolumeText>& Volumes, const std::string& File)
 
 std::string MakeImportJson(const std::vector<FVolumeText>& Volumes, const std::vector<FDiagnostic>& Diagnostics)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Key("volumes");
 	WriteVolumes(Writer, Volumes);
 	Writer.Key("messages");
 	WriteDiagnostics(Writer, Diagnostics);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -4,13 +4,13 @@
 #include "PrintText.h"
 #include "Program/ArgumentParser.h"
 #include "Program/Verbs.h"
+#include "RangeTools.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -60,7 +60,7 @@ std::vector<FNewSetting> FindSettings(const FSettingsPlanOptions& Options)
 	std::vector<FNewSetting> Settings;
 	const auto Add = [&](const FNewSetting& Setting)
 	{
-		if (std::ranges::find(Settings, Setting.Name, &FNewSetting::Name) == Settings.end())
+		if (!Contains(Settings, Setting.Name, &FNewSetting::Name))
 		{
 			Settings.push_back(Setting);
 		}
@@ -102,15 +102,13 @@ std::string MakePlanDiff(const FSettingsPlanOptions& Options, const std::vector<
 
 std::string MakePlanJson(const std::vector<FSettingPlace>& Places)
 {
-	FJsonWriter Writer;
-	Writer.BeginArray();
+	FJsonWriter Writer('[');
 	for (const FSettingPlace& Place : Places)
 	{
 		Writer.BeginObject();
 		Writer.Members({{"file", Place.File}, {"where", Place.Where}, {"text", Place.Text}, {"why", Place.Why}});
 		Writer.EndObject();
 	}
-	Writer.EndArray();
 	return Writer.GetText();
 }
 

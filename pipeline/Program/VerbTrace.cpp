@@ -7,8 +7,8 @@
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "Text/ConfigErrors.h"
+#include "TextTools.h"
 
-#include <charconv>
 #include <cstdio>
 #include <memory>
 
@@ -29,25 +29,13 @@ struct FTraceVerbOptions
 /** "X,Y" or "X,Y,Z" */
 std::array<int32_t, 3> ParsePixel(const std::string& Text)
 {
-	std::array<int32_t, 3> At{};
-	const char* Next = Text.data();
-	const char* const End = Next + Text.size();
-	for (size_t Axis = 0; Axis < 3; ++Axis)
+	const std::vector<int32_t> Numbers = ParseList<int32_t>(Text);
+	if (Numbers.size() < 2 || Numbers.size() > 3)
 	{
-		const std::from_chars_result Read = std::from_chars(Next, End, At[Axis]);
-		const bool bLast = Read.ptr == End && Axis > 0;
-		if (Read.ec != std::errc() || (!bLast && (Read.ptr == End || *Read.ptr != ',')))
-		{
-			break;
-		}
-		if (bLast)
-		{
-			return At;
-		}
-		Next = Read.ptr + 1;
+		throw BadArgument(
+			"'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread", "--pixel");
 	}
-	throw BadArgument(
-		"'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread", "--pixel");
+	return {Numbers[0], Numbers[1], Numbers.size() > 2 ? Numbers[2] : 0};
 }
 
 int Trace(FTraceVerbOptions Options)

@@ -104,8 +104,7 @@ std::string MakeProveText(const std::string& Config, const std::vector<FProven>&
 
 std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"config", Config},
 		{"holds", std::all_of(Proven.begin(), Proven.end(), [](const FProven& One) { return One.Holds(); })}});
 	Writer.Array("equivalences", Proven,
@@ -135,7 +134,6 @@ std::string MakeProveJson(const std::string& Config, const std::vector<FProven>&
 			}
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -88,15 +88,13 @@ std::string FDiffPage::MakeData(
 	const std::string& A, const std::string& B, const std::string& DiffJson, const std::string& When)
 {
 	FitPictures(Pictures, Groups, MaxPagePictureBytes);
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "diff"},
 		{"name", GetName(A) + " against " + GetName(B)}, {"version", GetVersion()}, {"written", When}});
 	Writer.Key("diff").Raw(DiffJson);
 	WriteSide(Writer, "a", A);
 	WriteSide(Writer, "b", B);
 	WriteReportPictures(Writer, Pictures);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

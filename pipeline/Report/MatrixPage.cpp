@@ -31,13 +31,11 @@ std::string MakeMatrixPageData(const FMatrixPageInputs& Inputs, const std::strin
 	std::iota(All.begin(), All.end(), 0);
 	FitPictures(Pictures, {All}, MaxPagePictureBytes);
 
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "matrix"}, {"name", Inputs.Name},
 		{"version", GetVersion()}, {"written", When}});
 	Writer.Key("matrix").Raw(Inputs.MatrixJson);
 	WriteReportPictures(Writer, Pictures);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -201,16 +201,14 @@ void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
 {
 	std::vector<int32> Ids;
 	Type.ForEachShader([&](FShader& Shader) { Ids.push_back(Shader.GetPermutationId()); });
-	Writer.Array("permutations", Ids,
+	Writer.Objects("permutations", Ids,
 		[&](const int32 Id)
 		{
-			Writer.BeginObject(true);
 			const FShaderCompilerEnvironment Environment = Type.GetCompilationEnvironment(Id);
 			for (const auto& [Name, Value] : Environment.GetDefines())
 			{
 				Writer.Member(Name, Value);
 			}
-			Writer.EndObject();
 		});
 }
 
@@ -322,8 +320,7 @@ FReportBefore ReadReportBefore(const std::string& Folder)
 
 std::string MakeReportData(const FReportInputs& Inputs)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "run"}, {"name", Inputs.Name},
 		{"written", Inputs.When.empty() ? FormatReportTime(std::time(nullptr)) : Inputs.When}});
 	Writer.RawMember("run", Inputs.Result.RunJson);
@@ -337,7 +334,6 @@ std::string MakeReportData(const FReportInputs& Inputs)
 	WriteNonFinite(Writer, Inputs.Result.NonFinite);
 	WriteBefore(Writer, Inputs.Before);
 	FPictures(Writer, Inputs).Write();
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

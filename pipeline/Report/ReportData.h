@@ -5,7 +5,6 @@
 #include "Run/RunResult.h"
 
 #include <string>
-#include <vector>
 
 namespace Drydock
 {

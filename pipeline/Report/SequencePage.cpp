@@ -88,8 +88,7 @@ std::string MakeSequencePageData(
 {
 	const std::vector<size_t> Chosen = ChooseSheetFrames(Result.Frames.size(), MaxFrames);
 	const std::set<size_t> Shown(Chosen.begin(), Chosen.end());
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "sequence"}, {"name", Name},
 		{"version", GetVersion()}, {"written", When}, {"framesPerSecond", Result.FramesPerSecond}});
 	Writer.Key("sequence").Raw(Result.SequenceJson);
@@ -115,7 +114,6 @@ std::string MakeSequencePageData(
 	std::iota(All.begin(), All.end(), 0);
 	FitPictures(Pictures, {All}, MaxPagePictureBytes);
 	WriteReportPictures(Writer, Pictures);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -12,8 +12,7 @@ namespace Drydock
 std::string MakeStudyPageData(
 	const FStudyResult& Result, const std::vector<FStudyInsetRow>& Insets, const std::string& When)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "study"}, {"name", Result.Name},
 		{"written", When}});
 	Writer.Key("study").Raw(MakeStudyJson(Result));
@@ -50,7 +49,6 @@ std::string MakeStudyPageData(
 				});
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -30,12 +30,10 @@ std::string MakeSceneWalkJson(const FRunOptions& Options)
 		return ""; // no setting changes
 	}
 	const std::optional<int>& Frame = Setup.Config.Scene.Frame;
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("at", Frame ? std::to_string(*Frame) : "");
 	Writer.Key("chart");
 	WriteChart(Writer, Chart);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

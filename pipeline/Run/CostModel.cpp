@@ -5,6 +5,7 @@
 #include "ShaderCache.h"
 #include "Text/Json.h"
 #include "Text/JsonWriter.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <iterator>
@@ -42,12 +43,7 @@ std::string GetExactKey(const FRDGCompiledGraph& Graph, const FRDGCompiledPass& 
 			Names.insert(Graph.Resources[static_cast<size_t>(Use.Resource)].Name);
 		}
 	}
-	std::string Key = GetKey(Pass, Conditions) + " of";
-	for (const std::string& Name : Names)
-	{
-		Key += " " + Name;
-	}
-	return Key;
+	return GetKey(Pass, Conditions) + " of" + JoinText(Names, "", [](const std::string& Name) { return " " + Name; });
 }
 
 uint64_t CountTexels(const FRDGResourceDescription& Resource, const FRDGUse& Use)
@@ -149,13 +145,11 @@ double FCostModel::EstimateMilliseconds(
 
 std::string FCostModel::ToJson() const
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	for (const auto& [Key, Cost] : NanosecondsPerTexel)
 	{
 		Writer.Member(Key, Cost);
 	}
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

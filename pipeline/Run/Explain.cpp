@@ -1,6 +1,7 @@
 // Puts a frame beside the same frame with nothing skipped.
 #include "Run/Explain.h"
 
+#include "RangeTools.h"
 #include "Run/SilentPass.h"
 
 #include <algorithm>
@@ -18,13 +19,9 @@ bool IsReal(const FRDGCompiledPass& Pass)
 
 const double* FindMeasured(const FMeasuredPasses* Measured, int Index)
 {
-	if (Measured == nullptr)
-	{
-		return nullptr;
-	}
-	const auto Found = std::find_if(Measured->begin(), Measured->end(),
-		[Index](const std::pair<int, double>& Pass) { return Pass.first == Index; });
-	return Found == Measured->end() ? nullptr : &Found->second;
+	const auto* const Found =
+		Measured != nullptr ? FindItem(*Measured, Index, &FMeasuredPasses::value_type::first) : nullptr;
+	return Found != nullptr ? &Found->second : nullptr;
 }
 
 FExplainedCost MakeCost(const FRunResult& Result, const FCostModel& Model, const FMeasuredPasses* Measured)
@@ -61,9 +58,9 @@ std::vector<std::string> NameResources(const FRDGCompiledGraph& Graph, const FRD
 	{
 		const std::string& Name = Graph.Resources[static_cast<size_t>(Use.Resource)].Name;
 		const bool bWanted = bWritten ? Use.IsWrite() : Use.IsRead();
-		if (bWanted && std::ranges::find(Names, Name) == Names.end())
+		if (bWanted)
 		{
-			Names.push_back(Name);
+			AddUnique(Names, Name);
 		}
 	}
 	return Names;
@@ -74,7 +71,7 @@ std::vector<std::string> NameReaders(const FRDGCompiledGraph& Graph, const FRDGC
 	std::vector<std::string> Names;
 	for (const FRDGCompiledPass& Other : Graph.Passes)
 	{
-		const bool bReads = std::ranges::find(Other.Producers, Pass.Index) != Other.Producers.end();
+		const bool bReads = Contains(Other.Producers, Pass.Index);
 		if (bReads && !Other.bCulled && !Other.bIsSentinel)
 		{
 			Names.push_back(Other.Name);

@@ -239,8 +239,7 @@ std::string MakeEffectText(const FExplainReport& Report, const std::string& Name
 
 std::string MakeExplainJson(const FExplainReport& Report)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"config", Report.Config}, {"measured", Report.bMeasured}});
 	Writer.Array("effects", Report.Effects,
 		[&](const FExplainedEffect& Effect)
@@ -255,16 +254,14 @@ std::string MakeExplainJson(const FExplainReport& Report)
 			Writer.Object({{"name", Plugin.Name}, {"passes", Plugin.NumPasses}, {"culled", Plugin.NumCulled},
 				{"ms", Plugin.Milliseconds}, {"megabytes", Plugin.Megabytes}});
 		});
-	Writer.Array("passes", Report.Passes,
+	Writer.Objects("passes", Report.Passes,
 		[&](const FExplainedPass& Pass)
 		{
-			Writer.BeginObject(true);
 			Writer.Members({{"index", Pass.Index}, {"name", Pass.Name}, {"effect", Pass.Effect},
 				{"executes", Pass.bExecutes}, {"reason", Pass.Reason}, {"ms", Pass.Milliseconds},
 				{"mergeReason", Pass.MergeReason}, {"mergedInto", Pass.MergedInto}, {"silent", Pass.Silent}});
 			WriteValues(Writer, Pass.Values);
 			Writer.Members({{"reads", Pass.Reads}, {"writes", Pass.Writes}, {"readers", Pass.Readers}});
-			Writer.EndObject();
 		});
 	WriteCost(Writer, "cost", Report.Cost);
 	WriteCost(Writer, "withoutSkipping", Report.WithoutSkipping);
@@ -273,7 +270,6 @@ std::string MakeExplainJson(const FExplainReport& Report)
 		Writer.Key("savedMs").Object({{"least", Report.Saved->Least}, {"median", Report.Saved->Median},
 			{"most", Report.Saved->Most}, {"pairs", Report.Saved->NumPairs}});
 	}
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -6,9 +6,11 @@
 #include "Effects/Exposure.h"
 #include "Exposure/PostProcessEyeAdaptation.h"
 #include "HAL/IConsoleManager.h"
+#include "RangeTools.h"
 #include "ShowFlags.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFormat.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,18 +94,6 @@ void ForEachNamedSetting(const FConfig& Config,
 	Visit(Config.CommandLine, true);
 }
 
-/** "A, B, C and 4 more". */
-std::string ListSome(const std::vector<std::string>& Names)
-{
-	constexpr size_t MaxNamed = 3;
-	std::string Text;
-	for (size_t Index = 0; Index < std::min(Names.size(), MaxNamed); ++Index)
-	{
-		Text += (Index > 0 ? ", " : "") + Names[Index];
-	}
-	return Names.size() > MaxNamed ? Text + " and " + std::to_string(Names.size() - MaxNamed) + " more" : Text;
-}
-
 void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::vector<FDiagnostic>& Diagnostics)
 {
 	FConfigMessages Messages(Config.File, Diagnostics);
@@ -111,7 +101,7 @@ void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::ve
 	{
 		Messages.Warn(WarnEqualPriority, Config.Volumes[Tie.Second].Place,
 			"same Priority as " + GetVolumeName(Config, Tie.First) +
-				", and both act here: the order of declaration decides " + ListSome(Tie.Settings));
+				", and both act here: the order of declaration decides " + ListSome(Tie.Settings, 3));
 	}
 	for (const FNonFiniteSetting& Setting : Blended.NonFinite)
 	{
@@ -123,8 +113,7 @@ void WarnOfBlend(const FConfig& Config, const FBlendedSettings& Blended, std::ve
 /** Settings of metering where every exposure is a number. */
 void WarnOfMetering(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
-	if (Config.View.bAutoExposure || std::any_of(Config.Views.begin(), Config.Views.end(),
-										 [](const FConfigView& View) { return View.bAutoExposure; }))
+	if (Config.View.bAutoExposure || Contains(Config.Views, true, &FConfigView::bAutoExposure))
 	{
 		return;
 	}

@@ -53,8 +53,7 @@ void WriteTransition(FJsonWriter& Writer, const FRDGTransition& Transition)
 
 std::string MakeGraphJson(const FRDGCompiledGraph& Graph, const std::map<int, std::vector<FPassValue>>& Values)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("name", Graph.Name);
 	Writer.Array("passes", Graph.Passes,
 		[&](const FRDGCompiledPass& Pass)
@@ -72,7 +71,6 @@ std::string MakeGraphJson(const FRDGCompiledGraph& Graph, const std::map<int, st
 	Writer.Key("memory").Object({{"transientPeakBytes", Graph.Memory.TransientPeakBytes},
 		{"withoutAliasingBytes", Graph.Memory.WithoutAliasingBytes}, {"pooledBytes", Graph.Memory.PooledBytes},
 		{"externalBytes", Graph.Memory.ExternalBytes}});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

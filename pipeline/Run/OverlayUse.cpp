@@ -4,6 +4,7 @@
 #include "GlobalShader.h"
 #include "Overlay/OverlayErrors.h"
 #include "Overlay/OverlayShaders.h"
+#include "RangeTools.h"
 #include "Text/TextFormat.h"
 #include "TextTools.h"
 
@@ -19,12 +20,10 @@ namespace
 /** Why the chain did not call it; empty: no reason is known, and the overlay's own code may have called it. */
 std::string DescribeUncalled(const FPassFunction& Pass, const FOverlayFolder& Folder, const FRunResult& Result)
 {
-	const auto Found = std::find_if(Result.Effects.begin(), Result.Effects.end(),
-		[&](const FEffectDecision& Effect) { return Effect.GetName() == Pass.Effect; });
-	if (Found == Result.Effects.end() || !Found->bActive)
+	const FEffectDecision* const Found = FindItem(Result.Effects, Pass.Effect, &FEffectDecision::GetName);
+	if (Found == nullptr || !Found->bActive)
 	{
-		return std::string(Pass.Effect) + " does not run" +
-			   (Found == Result.Effects.end() ? std::string() : ": " + Found->Reason);
+		return std::string(Pass.Effect) + " does not run" + (Found == nullptr ? "" : ": " + Found->Reason);
 	}
 	if (Found->GetId() == EEffect::Bloom && IsEffectActive(Result.Effects, EEffect::FFTBloom))
 	{
@@ -33,8 +32,8 @@ std::string DescribeUncalled(const FPassFunction& Pass, const FOverlayFolder& Fo
 	const float Threshold = Result.Settings.BloomThreshold;
 	if (std::string_view(Pass.Name) == ChainPlacesOfOverlays[0].Call && !(Threshold > -1.0f))
 	{
-		const bool bOwn = std::any_of(Folder.Places.begin(), Folder.Places.end(),
-			[](const FOverlayPlace& Place) { return !Place.Condition.empty(); });
+		const bool bOwn =
+			std::ranges::any_of(Folder.Places, [](const FOverlayPlace& Place) { return !Place.Condition.empty(); });
 		return "BloomThreshold is " + NumberText(Threshold) + " and local exposure does not act on bloom, so " +
 			   ChainPlacesOfOverlays[0].Condition + " is false" +
 			   (bOwn ? ", in the overlay's own definition, too" : "");
@@ -76,8 +75,8 @@ std::vector<FDiagnostic> FindUnusedOfOverlays(
 	};
 	const auto NoteUncalled = [&](const FOverlayFolder& Folder, const std::string& Name, const FPassFunction& Pass)
 	{
-		const bool bUncalled = std::find(Uncalled.begin(), Uncalled.end(), Name) != Uncalled.end();
-		if (const std::string Why = bUncalled ? DescribeUncalled(Pass, Folder, Result) : ""; !Why.empty())
+		if (const std::string Why = Contains(Uncalled, Name) ? DescribeUncalled(Pass, Folder, Result) : "";
+			!Why.empty())
 		{
 			Note("the overlay " + Folder.Name + "'s " + Name + " was not called: " + Why);
 		}

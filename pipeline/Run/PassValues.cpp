@@ -84,12 +84,7 @@ std::string FormatPassValues(const std::vector<FPassValue>& Values)
 
 void WriteValues(FJsonWriter& Writer, const std::vector<FPassValue>& Values)
 {
-	Writer.Key("values").BeginObject(true);
-	for (const FPassValue& Value : Values)
-	{
-		Writer.Member(Value.Name, Value.Value);
-	}
-	Writer.EndObject();
+	Writer.Object("values", Values, [&](const FPassValue& Value) { Writer.Member(Value.Name, Value.Value); });
 }
 
 } // namespace Drydock

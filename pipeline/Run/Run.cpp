@@ -234,9 +234,9 @@ FFrameInputs MakeFrameInputs(const FRunOptions& Options, const FRunSetup& Setup,
 	return Inputs;
 }
 
-/** Returns the result of Function. An error carries the graph's warnings, if there are any yet. */
+/** Returns the result of Function. An error carries what was known before. */
 template<typename TFunction>
-auto CallWithWarnings(TFunction Function, const FRunResult& Result)
+auto CallWithWarnings(TFunction Function, const std::vector<FDiagnostic>& Before)
 {
 	try
 	{
@@ -244,7 +244,7 @@ auto CallWithWarnings(TFunction Function, const FRunResult& Result)
 	}
 	catch (const FError& Error)
 	{
-		std::vector<FDiagnostic> All = Result.Graph.Warnings;
+		std::vector<FDiagnostic> All = Before;
 		All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
 		throw FError(All, Error.GetExitCode());
 	}
@@ -257,7 +257,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	FRunObserver Observer(Options, Setup, Scene, Result);
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
 	TakeUncalledReplacements(); // of the frame before
-	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result);
+	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result.Graph.Warnings);
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
@@ -301,37 +301,34 @@ struct FRendered
 	std::vector<FNonFiniteChannel> NonFiniteInFile;
 };
 
-/** Scene, frame and what they say. An error comes with what was known before. */
+/** Scene, frame and what they say. */
+FRendered RenderScene(const FRunOptions& Options, const FRunSetup& Setup, const FBeforeFrame& Before)
+{
+	FSceneFile Scene(Setup.Config, Options.SceneCache.get());
+	Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
+	FRendered Rendered{MakeResult(Setup, Scene), {}};
+	FRunResult& Result = Rendered.Result;
+	RunGraph(Options, Setup, Scene, Before, Result);
+	Result.Channels = Scene.GetChannels();
+	for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
+	{
+		Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
+	}
+	Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
+	if (Options.bExecute)
+	{
+		const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
+		Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
+	}
+	AddNewDiagnostics(Result.Diagnostics, FindUnusedOfOverlays(Setup.Overlays, TakeUncalledReplacements(), Result));
+	Rendered.NonFiniteInFile = Scene.GetNonFinite();
+	return Rendered;
+}
+
+/** The same. An error comes with what was known before. */
 FRendered Render(const FRunOptions& Options, const FRunSetup& Setup, const FBeforeFrame& Before)
 {
-	try
-	{
-		FSceneFile Scene(Setup.Config, Options.SceneCache.get());
-		Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
-		FRendered Rendered{MakeResult(Setup, Scene), {}};
-		FRunResult& Result = Rendered.Result;
-		RunGraph(Options, Setup, Scene, Before, Result);
-		Result.Channels = Scene.GetChannels();
-		for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
-		{
-			Result.SceneTextureBytes += Resource.bExternal && Scene.IsFilled(Resource.Name) ? Resource.Bytes : 0;
-		}
-		Result.Diagnostics.insert(Result.Diagnostics.end(), Result.Graph.Warnings.begin(), Result.Graph.Warnings.end());
-		if (Options.bExecute)
-		{
-			const std::vector<FDiagnostic> DumpWarnings = CheckDumpPatterns(Setup.Dump, Result);
-			Result.Diagnostics.insert(Result.Diagnostics.end(), DumpWarnings.begin(), DumpWarnings.end());
-		}
-		AddNewDiagnostics(Result.Diagnostics, FindUnusedOfOverlays(Setup.Overlays, TakeUncalledReplacements(), Result));
-		Rendered.NonFiniteInFile = Scene.GetNonFinite();
-		return Rendered;
-	}
-	catch (const FError& Error)
-	{
-		std::vector<FDiagnostic> All = Setup.Diagnostics;
-		All.insert(All.end(), Error.GetDiagnostics().begin(), Error.GetDiagnostics().end());
-		throw FError(All, Error.GetExitCode());
-	}
+	return CallWithWarnings([&] { return RenderScene(Options, Setup, Before); }, Setup.Diagnostics);
 }
 
 /** The final picture of the same frame with 0 in place of what is not finite. */

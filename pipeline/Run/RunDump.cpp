@@ -2,16 +2,16 @@
 #include "Run/RunDump.h"
 
 #include "Config/ConfigReader.h"
+#include "RangeTools.h"
 #include "RenderGraphPass.h"
 #include "ShaderParameterMetadata.h"
 #include "Text/ConfigErrors.h"
+#include "Text/Fmt.inl"
 #include "Text/GlobPattern.h"
 #include "Text/TextFormat.h"
 #include "TileExecutor.h"
-#include "RangeTools.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 namespace Drydock
@@ -83,10 +83,9 @@ bool IsDumped(
 
 std::string GetDumpFileName(const FRunDump& Dump)
 {
-	char Number[16];
-	std::snprintf(Number, sizeof(Number), "%03d", Dump.PassIndex);
-	return std::string(Number) + "." + MakeFileNamePart(GetShortPassName(Dump.Pass)) + "." +
-		   MakeFileNamePart(Dump.Resource) + (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
+	return fmt::format("{:03}.{}.{}", Dump.PassIndex, MakeFileNamePart(GetShortPassName(Dump.Pass)),
+			   MakeFileNamePart(Dump.Resource)) +
+		   (Dump.Mip >= 0 ? ".mip" + std::to_string(Dump.Mip) : "");
 }
 
 TOptional<FIntRect> FindOutputRect(const FRDGPass& Pass, FIntPoint Extent)

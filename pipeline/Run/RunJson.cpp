@@ -40,25 +40,22 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 void WriteEffects(
 	FJsonWriter& Writer, const std::vector<FEffectDecision>& Effects, const FFiguresByEffect& FiguresByEffect)
 {
-	Writer.Array("effects", Effects,
+	Writer.Objects("effects", Effects,
 		[&](const FEffectDecision& Effect)
 		{
-			Writer.BeginObject(true);
 			Writer.Members({{"name", Effect.GetName()}, {"active", Effect.bActive}, {"reason", Effect.Reason}});
 			const auto Figures = FiguresByEffect.find(Effect.GetId());
 			if (Figures != FiguresByEffect.end())
 			{
 				for (const FFigureGroup& Group : Figures->second.Groups)
 				{
-					Writer.Key(Group.Name.c_str()).BeginObject(true);
-					for (const FFigure& Figure : Group.Figures)
-					{
-						std::visit([&](const auto& Value) { Writer.Member(Figure.Name.c_str(), Value); }, Figure.Value);
-					}
-					Writer.EndObject();
+					Writer.Object(Group.Name, Group.Figures,
+						[&](const FFigure& Figure) {
+							std::visit(
+								[&](const auto& Value) { Writer.Member(Figure.Name.c_str(), Value); }, Figure.Value);
+						});
 				}
 			}
-			Writer.EndObject();
 		});
 }
 
@@ -223,8 +220,7 @@ std::string GetCpuName()
 
 std::string MakeRunJson(const FRunResult& Result)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"version", GetVersion()}, {"config", Result.Config.File}, {"engine", Result.Config.Engine.Value},
 		{"precision", Result.Precision}});
 	Writer.MemberIfAny("device", Result.Device);
@@ -252,14 +248,12 @@ std::string MakeRunJson(const FRunResult& Result)
 		});
 	WriteOutputs(Writer, Result);
 	WriteWarnings(Writer, Result);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
 std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"threads", Result.Threads}, {"cpu", GetCpuName()}});
 	Writer.Array("passes", Result.Passes,
 		[&](const FRunPass& Pass)
@@ -278,8 +272,6 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
 	{
 		Writer.Member(GetScalarCallName(EScalarCall(Index)), GetScalarCalls(EScalarCall(Index)));
 	}
-	Writer.EndObject();
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
@@ -311,8 +303,6 @@ std::string MakeTraceJson(const FRunResult& Result)
 	{
 		Event(Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name, "pass", Pass.Milliseconds, &Pass);
 	}
-	Writer.EndArray();
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

@@ -4,10 +4,9 @@
 #include "Config/ConfigReader.h"
 #include "Config/FrameSequence.h"
 #include "Picture/ImageFile.h"
+#include "RangeTools.h"
 #include "SceneFile/SceneErrors.h"
 #include "SceneFile/SceneTexturePacking.h"
-
-#include <algorithm>
 
 namespace Drydock
 {
@@ -62,7 +61,7 @@ void CheckSceneChannels(const FConfig& Config, const FImageFile* File, std::vect
 	const auto CheckKnown = [&](const std::string& Name, const FConfigPlace& Place)
 	{
 		const std::vector<std::string>& Known = GetSceneChannelNames();
-		if (std::find(Known.begin(), Known.end(), Name) == Known.end())
+		if (!Contains(Known, Name))
 		{
 			Messages.Error(
 				ErrorUnknownValue, Place, "no pass knows a channel \"" + Name + "\"" + Messages.Suggest(Name, Known));

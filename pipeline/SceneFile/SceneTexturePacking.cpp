@@ -138,8 +138,7 @@ const std::vector<FScenePacking>& GetScenePackings()
 const FScenePacking* FindScenePacking(const std::string& Texture)
 {
 	const std::vector<FScenePacking>& Packings = GetScenePackings();
-	const auto Found = std::ranges::find(Packings, Texture, &FScenePacking::Name);
-	return Found == Packings.end() ? nullptr : &*Found;
+	return FindItem(Packings, Texture, &FScenePacking::Name);
 }
 
 FScenePacking MakeOwnScenePacking(const std::string& Texture, const std::vector<std::string>& Channels)

@@ -9,7 +9,6 @@
 #include "Text/FileList.h"
 #include "Text/FolderLock.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -195,8 +195,7 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	{
 		Location = Result.ViewStates[0].Projection->ViewOrigin; // where extensions left it
 	}
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Member("frame", Record.Frame);
 	if (Record.After >= 0)
 	{
@@ -222,7 +221,6 @@ std::string MakeFrameJson(const FRunResult& Result, const FFrameRecord& Record)
 	Writer.Member("picture", Record.Picture);
 	Writer.MemberIfAny("seen", Record.Seen);
 	Writer.Member("state", Record.State);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
@@ -242,10 +240,8 @@ FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& Fi
 
 std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	WriteHead(Writer, Config, Inputs, false);
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
@@ -253,8 +249,7 @@ std::string MakeSequenceJson(
 	const FConfig& Config, const FSequenceInputs& Inputs, const FSequenceFolder& Folder, const std::vector<int>& Frames)
 {
 	const FSettingTexts Varying = FindVarying(Folder, Frames);
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	WriteHead(Writer, Config, Inputs, true);
 	Writer.Member("varying", std::views::keys(Varying.front()));
 	Writer.Key("frames").BeginArray();
@@ -268,16 +263,9 @@ std::string MakeSequenceJson(
 			Writer.Key(Member.Key);
 			WriteValue(Writer, Member.Value);
 		}
-		Writer.Key("settings").BeginObject(true);
-		for (const auto& [Name, Text] : Varying[Index])
-		{
-			Writer.Key(Name).Raw(Text);
-		}
-		Writer.EndObject();
+		Writer.Object("settings", Varying[Index], [&](const auto& Each) { Writer.Key(Each.first).Raw(Each.second); });
 		Writer.EndObject();
 	}
-	Writer.EndArray();
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

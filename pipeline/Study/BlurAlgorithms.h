@@ -8,7 +8,6 @@
 #include "Picture/ImageFile.h"
 
 #include <string>
-#include <vector>
 
 namespace Drydock
 {

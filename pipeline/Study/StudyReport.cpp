@@ -1,6 +1,7 @@
 // Writes the results of a study as a table, JSON and CSV.
 #include "Study/StudyReport.h"
 
+#include "RangeTools.h"
 #include "Run/RunJson.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
@@ -8,7 +9,6 @@
 #include "Text/TextTable.h"
 #include "Text/Version.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -47,7 +47,7 @@ std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Varian
 	else
 	{
 		const size_t By = static_cast<size_t>(Variant.ByTime.DominatedBy);
-		const bool bNoise = std::ranges::find(Variant.WithinNoiseOf, By) != Variant.WithinNoiseOf.end();
+		const bool bNoise = Contains(Variant.WithinNoiseOf, By);
 		Text = "dominated by " + Result.Variants[By].Label + (bNoise ? " (time within noise)" : "");
 	}
 	Text += Variant.bPlainCode && !bExcluded ? ", plain code" : "";
@@ -103,12 +103,8 @@ std::string DescribeNoise(const FStudyResult& Result, const FStudyJob& Job, int 
 
 void WriteSet(FJsonWriter& Writer, const std::vector<FStudyAssignment>& Set)
 {
-	Writer.Key("set").BeginObject(true);
-	for (const FStudyAssignment& Assignment : Set)
-	{
-		Writer.Member(Assignment.Name, Assignment.Value);
-	}
-	Writer.EndObject();
+	Writer.Object(
+		"set", Set, [&](const FStudyAssignment& Assignment) { Writer.Member(Assignment.Name, Assignment.Value); });
 }
 
 void WriteDominator(FJsonWriter& Writer, const FStudyResult& Result, const FStudyRank& Rank)
@@ -202,8 +198,7 @@ std::string MakeStudyTable(const FStudyResult& Result, int Width)
 std::string MakeStudyJson(const FStudyResult& Result)
 {
 	const std::vector<FStudyChoice> Choices = Result.Study.GetChoices();
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"version", GetVersion()}, {"config", Result.ConfigFile}, {"fingerprint", Result.Fingerprint},
 		{"scene", Result.Scene}, {"size", std::array{Result.Width, Result.Height}}});
 	Writer.MemberIfAny("region", Result.Study.Region);
@@ -228,14 +223,12 @@ std::string MakeStudyJson(const FStudyResult& Result)
 				{ WriteVariant(Writer, Result, Result.Variants[Index], Choices[Result.Variants[Index].Choice]); });
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 
 std::string MakeStudyTimingJson(const FStudyResult& Result)
 {
-	FJsonWriter Writer;
-	Writer.BeginObject();
+	FJsonWriter Writer('{');
 	Writer.Members({{"cpu", GetCpuName()}, {"threads", Result.Threads}, {"repetitions", Result.Study.Repetitions},
 		{"seconds", Result.Seconds}});
 	Writer.Array("jobs", Result.Jobs,
@@ -268,7 +261,6 @@ std::string MakeStudyTimingJson(const FStudyResult& Result)
 				});
 			Writer.EndObject();
 		});
-	Writer.EndObject();
 	return Writer.GetText();
 }
 

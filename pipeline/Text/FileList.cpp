@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <ranges>
 #include <sstream>
 
 namespace Drydock
@@ -143,12 +144,8 @@ bool FFileList::Has(const std::string& Name) const
 
 std::set<std::string> FFileList::GetNames() const
 {
-	std::set<std::string> Names;
-	for (const auto& [Name, Fingerprint] : Files)
-	{
-		Names.insert(Name);
-	}
-	return Names;
+	const auto Names = std::views::keys(Files);
+	return {Names.begin(), Names.end()};
 }
 
 std::string FFileList::FindFault(const Files::path& Folder, const std::string& Name) const

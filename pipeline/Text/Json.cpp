@@ -5,6 +5,7 @@
 #include "Text/Json.h"
 
 #include "DiagnosticList.h"
+#include "RangeTools.h"
 #include "RegularFile.h"
 #include "Text/ConfigErrors.h"
 #include "Text/JsonScan.h"
@@ -299,14 +300,8 @@ private:
 
 const FJsonValue* FJsonValue::Find(const std::string& Key) const
 {
-	for (const auto& [Name, Value] : Members)
-	{
-		if (Name == Key)
-		{
-			return &Value;
-		}
-	}
-	return nullptr;
+	const FJsonMember* const Member = FindItem(Members, Key, &FJsonMember::Key);
+	return Member != nullptr ? &Member->Value : nullptr;
 }
 
 double FJsonValue::GetNumber(const std::string& Key, double Otherwise) const

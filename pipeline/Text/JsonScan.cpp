@@ -1,7 +1,10 @@
 // Finds the places of keys and values, and numbers that overflow. Source of the token shapes: RFC 8259.
 #include "Text/JsonScan.h"
 
+#include "RangeTools.h"
+
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -22,12 +25,9 @@ bool IsNonFiniteNumber(const std::string& Token)
 {
 	const size_t Sign = Token[0] == '-' || Token[0] == '+' ? 1 : 0;
 	const std::string Unsigned = Token.substr(Sign);
-	for (const char* Name : {"NaN", "nan", "NAN", "Infinity", "infinity", "INFINITY", "Inf", "inf", "INF"})
+	if (Contains(std::array{"NaN", "nan", "NAN", "Infinity", "infinity", "INFINITY", "Inf", "inf", "INF"}, Unsigned))
 	{
-		if (Unsigned == Name)
-		{
-			return true;
-		}
+		return true;
 	}
 	if (Unsigned.empty() || !std::isdigit(static_cast<unsigned char>(Unsigned[0])) ||
 		Unsigned.find_first_of("xXpP") != std::string::npos)

@@ -88,10 +88,19 @@ void FJsonWriter::Begin(char Bracket, bool bInline)
 	Separate();
 	Text += Bracket;
 	const bool bParentInline = !Levels.empty() && Levels.back().bInline;
-	Levels.push_back({bInline || bParentInline, true});
+	Levels.push_back({Bracket == '{' ? '}' : ']', bInline || bParentInline, true});
 }
 
-void FJsonWriter::End(char Bracket)
+std::string FJsonWriter::GetText()
+{
+	while (!Levels.empty())
+	{
+		End();
+	}
+	return Text + "\n";
+}
+
+void FJsonWriter::End()
 {
 	const FLevel Level = Levels.back();
 	Levels.pop_back();
@@ -99,7 +108,7 @@ void FJsonWriter::End(char Bracket)
 	{
 		BreakLine();
 	}
-	Text += Bracket;
+	Text += Level.Closing;
 }
 
 void FJsonWriter::Separate()

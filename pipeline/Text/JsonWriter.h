@@ -19,11 +19,15 @@ namespace Drydock
 class DRYDOCK_API FJsonWriter
 {
 public:
+	FJsonWriter() = default;
+	/** Begins with a bracket, { or [, that GetText closes. */
+	explicit FJsonWriter(char Bracket) { Begin(Bracket, false); }
+
 	/** bInline: the whole object or array on one line. */
 	void BeginObject(bool bInline = false) { Begin('{', bInline); }
-	void EndObject() { End('}'); }
+	void EndObject() { End(); }
 	void BeginArray(bool bInline = false) { Begin('[', bInline); }
-	void EndArray() { End(']'); }
+	void EndArray() { End(); }
 
 	FJsonWriter& Key(const std::string& Name);
 
@@ -118,20 +122,46 @@ public:
 		EndArray();
 	}
 
-	/** The text so far, with a final line break. */
-	std::string GetText() const { return Text + "\n"; }
+	/** An array of objects, each on one line; Write writes the members of an item. */
+	template<typename TItems, typename TWrite>
+	void Objects(const std::string& Name, const TItems& Items, TWrite&& Write)
+	{
+		Array(Name, Items,
+			[&](const auto& Item)
+			{
+				BeginObject(true);
+				Write(Item);
+				EndObject();
+			});
+	}
+
+	/** An object on one line; Write writes the member of an item. */
+	template<typename TItems, typename TWrite>
+	void Object(const std::string& Name, const TItems& Items, TWrite&& Write)
+	{
+		Key(Name).BeginObject(true);
+		for (const auto& Item : Items)
+		{
+			Write(Item);
+		}
+		EndObject();
+	}
+
+	/** Closes what is open. The text, with a final line break. */
+	std::string GetText();
 
 	static std::string Quote(const std::string& Text);
 
 private:
 	struct FLevel
 	{
+		char Closing = '}';
 		bool bInline = false;
 		bool bEmpty = true;
 	};
 
 	void Begin(char Bracket, bool bInline);
-	void End(char Bracket);
+	void End();
 	void Separate();
 	void BreakLine();
 

@@ -1,11 +1,11 @@
 // Writes numbers and lists as text, and text as parts of file names.
 #include "Text/TextFormat.h"
 
+#include "Text/Fmt.inl"
 #include "TextTools.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 
 namespace Drydock
 {
@@ -54,9 +54,7 @@ std::string EncodeBase64(const std::string& Bytes)
 
 std::string FormatCode(int Code)
 {
-	char Text[16];
-	std::snprintf(Text, sizeof(Text), "DD%04d", Code);
-	return Text;
+	return fmt::format("DD{:04}", Code);
 }
 
 std::string CsvText(const std::string& Text)

@@ -5,8 +5,6 @@
 #include "VulkanArena.h"
 #include "VulkanModule.h"
 
-#include <map>
-
 namespace Drydock
 {
 

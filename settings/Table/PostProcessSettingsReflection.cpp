@@ -148,8 +148,7 @@ size_t GetNumTableSettings()
 const FSettingField* FindSettingField(const std::string& Name)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found = std::ranges::find(Fields, Name, &FSettingField::Name);
-	return Found == Fields.end() ? nullptr : &*Found;
+	return FindItem(Fields, Name, &FSettingField::Name);
 }
 
 FSettingValue SetSettingDefault(const std::string& Name, const FSettingValue& Value)
@@ -172,8 +171,7 @@ void StartWithDefaults(FPostProcessSettings& Settings)
 const FSettingField* FindSettingFieldByOverride(const std::string& OverrideName)
 {
 	const std::vector<FSettingField>& Fields = GetSettingFields();
-	const auto Found = std::ranges::find(Fields, OverrideName, &FSettingField::OverrideName);
-	return Found == Fields.end() ? nullptr : &*Found;
+	return FindItem(Fields, OverrideName, &FSettingField::OverrideName);
 }
 
 std::vector<std::string> GetSettingNames()

@@ -3,9 +3,9 @@
 #include "PostProcessSubSettings.h"
 
 #include "PostProcessSettingsReflection.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
-#include <algorithm>
 #include <string_view>
 
 #define DRYDOCK_EXPORT_VALUE(Field, Value) \
@@ -105,7 +105,7 @@ bool HasTwin(const std::string& Field)
 		Twin = "Filter" + Twin;
 	}
 	const std::vector<std::string>& Members = bConvolution ? ConvolutionMembers : GaussianSumAndImperfectionMembers;
-	return std::find(Members.begin(), Members.end(), Twin) != Members.end();
+	return Contains(Members, Twin);
 }
 
 } // namespace

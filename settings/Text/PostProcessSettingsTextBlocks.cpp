@@ -3,6 +3,7 @@
 #include "PostProcessSettingsTextBlocks.h"
 
 #include "PostProcessSettingsTextScan.h"
+#include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
@@ -284,8 +285,7 @@ private:
 
 const FEngineTextItem* FEngineTextBlock::Find(const char* Property) const
 {
-	const auto Found = std::ranges::find(Properties, Property, &FEngineTextItem::Name);
-	return Found == Properties.end() ? nullptr : &*Found;
+	return FindItem(Properties, Property, &FEngineTextItem::Name);
 }
 
 FEngineTextBlock ParseEngineTextBlocks(const std::string& Text, FSettingsTextMessages& Messages)

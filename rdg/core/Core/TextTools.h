@@ -5,6 +5,7 @@
 #include <charconv>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -90,6 +91,24 @@ std::string JoinText(const TRange& Parts, std::string_view Separator = ", ", TFu
 	return Text;
 }
 
+/** "A, B and C", or with another word before the last. */
+inline std::string JoinWords(const std::vector<std::string>& Words, const std::string& Word = " and ")
+{
+	std::string Text;
+	for (size_t Index = 0; Index < Words.size(); ++Index)
+	{
+		Text += (Index == 0 ? "" : Index + 1 < Words.size() ? ", " : Word) + Words[Index];
+	}
+	return Text;
+}
+
+/** "A, B, C and 4 more"; it names MaxNamed at most. */
+inline std::string ListSome(const std::vector<std::string>& Names, size_t MaxNamed)
+{
+	const std::string Text = JoinText(Names | std::views::take(MaxNamed));
+	return Names.size() > MaxNamed ? Text + " and " + std::to_string(Names.size() - MaxNamed) + " more" : Text;
+}
+
 /** The text between quotes of C++, in one line: every name of a stranger's that stands in code is written by this
  * alone. Control characters are left out. */
 inline std::string QuoteForCpp(const std::string& Text)
@@ -126,6 +145,23 @@ std::optional<T> ParseAll(std::string_view Text)
 	T Number{};
 	const std::from_chars_result Result = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
 	return Result.ec == std::errc() && Result.ptr == Text.data() + Text.size() ? std::optional(Number) : std::nullopt;
+}
+
+/** The numbers of a list with commas between them, and blanks around them; none where a part is not a number. */
+template<typename T>
+std::vector<T> ParseList(std::string_view Text)
+{
+	std::vector<T> Numbers;
+	for (const std::string& Part : SplitText(std::string(Text) + ",", ','))
+	{
+		const std::optional<T> Number = ParseAll<T>(Trim(Part));
+		if (!Number)
+		{
+			return {};
+		}
+		Numbers.push_back(*Number);
+	}
+	return Numbers;
 }
 
 /** The shortest text that reads as the number again, in the precision of its type. */

@@ -1,6 +1,7 @@
 // Runs the compile phases one after the other.
 #include "RenderGraphCompile.h"
 
+#include "RangeTools.h"
 #include "RenderGraphAlias.h"
 #include "RenderGraphAsyncCompute.h"
 #include "RenderGraphConsoleVariables.h"
@@ -9,8 +10,6 @@
 #include "RenderGraphLifetimes.h"
 #include "RenderGraphMerge.h"
 #include "RenderGraphTransitions.h"
-
-#include <algorithm>
 
 namespace Drydock
 {
@@ -28,14 +27,12 @@ bool FRDGSubresources::Overlaps(const FRDGSubresources& Other) const
 
 const FRDGCompiledPass* FRDGCompiledGraph::FindPass(const std::string& PassName) const
 {
-	const auto Found = std::ranges::find(Passes, PassName, &FRDGCompiledPass::Name);
-	return Found == Passes.end() ? nullptr : &*Found;
+	return FindItem(Passes, PassName, &FRDGCompiledPass::Name);
 }
 
 const FRDGCompiledResource* FRDGCompiledGraph::FindResource(const std::string& ResourceName) const
 {
-	const auto Found = std::ranges::find(Resources, ResourceName, &FRDGCompiledResource::Name);
-	return Found == Resources.end() ? nullptr : &*Found;
+	return FindItem(Resources, ResourceName, &FRDGCompiledResource::Name);
 }
 
 FRDGCompileOptions FRDGCompileOptions::FromConsoleVariables()

@@ -4,6 +4,7 @@
 #include "CodeScope.h"
 #include "DiagnosticList.h"
 #include "PrintText.h"
+#include "RangeTools.h"
 #include "RenderGraphAlias.h"
 #include "RenderGraphClobber.h"
 #include "RenderGraphDump.h"
@@ -76,7 +77,7 @@ void FRDGExecutor::CompileShaders()
 	{
 		for (const FShaderRef Shader : {FShaderRef(Pass->ShaderToCompile), FShaderRef(Pass->VertexShaderToCompile)})
 		{
-			if (!Pass->bCulled && Shader.IsValid() && std::ranges::find(Shaders, Shader) == Shaders.end())
+			if (!Pass->bCulled && Shader.IsValid() && !Contains(Shaders, Shader))
 			{
 				Shaders.push_back(Shader);
 			}
@@ -401,10 +402,7 @@ std::vector<FRDGTexture*> FRDGExecutor::FindWritten(const FRDGPass& Pass) const
 			continue;
 		}
 		auto* const Texture = static_cast<FRDGTexture*>(Resource);
-		if (std::ranges::find(Written, Texture) == Written.end())
-		{
-			Written.push_back(Texture);
-		}
+		AddUnique(Written, Texture);
 	}
 	return Written;
 }

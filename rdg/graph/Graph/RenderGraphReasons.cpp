@@ -1,6 +1,8 @@
 // Says in words why passes and resources of a compiled graph are left out, when somebody asks.
 #include "RenderGraphCompiled.h"
 
+#include "TextTools.h"
+
 #include <algorithm>
 
 namespace Drydock
@@ -24,13 +26,7 @@ std::string DescribeOutputs(const FRDGCompiledGraph& Graph, const FRDGPassDescri
 			Names.push_back(Name);
 		}
 	}
-	std::string Text = Names.size() > 1 ? "outputs " : "output ";
-	for (size_t Index = 0; Index < Names.size(); ++Index)
-	{
-		const char* const Separator = Index == 0 ? "" : Index + 1 == Names.size() ? " and " : ", ";
-		Text += Separator + Names[Index];
-	}
-	return Text;
+	return (Names.size() > 1 ? "outputs " : "output ") + JoinWords(Names);
 }
 
 bool HasOutputs(const FRDGPassDescription& Pass)

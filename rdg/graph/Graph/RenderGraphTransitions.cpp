@@ -1,7 +1,6 @@
 // Finds the state changes that a GPU would need barriers for.
 #include "RenderGraphTransitions.h"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
 #include <tuple>

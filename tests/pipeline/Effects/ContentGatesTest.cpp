@@ -281,13 +281,11 @@ const FEffect GBrighten{
 		[](const FEffect&, const FEffectInputs&) {
 			return FEffectDecision{nullptr, true, true, "always"};
 		},
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace = [] { return FChainPlace{EChainPlace::Lighting}; },
 	.AddPasses = nullptr,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace

@@ -28,12 +28,10 @@ concept CanLeaveOutTheLast = requires(const EffectType& E)
 		.Settings = E.Settings,
 		.bMayBrightenBeforeBloom = E.bMayBrightenBeforeBloom,
 		.Decide = E.Decide,
-		.Ask = E.Ask,
-		.Gate = E.Gate,
+		.Content = E.Content,
 		.Complete = E.Complete,
 		.GetPlace = E.GetPlace,
-		.AddPasses = E.AddPasses,
-		.Measured = E.Measured};
+		.AddPasses = E.AddPasses};
 };
 
 template<typename EffectType>
@@ -44,13 +42,11 @@ concept CanLeaveOutWhetherItBrightens = requires(const EffectType& E)
 		.Doc = E.Doc,
 		.Settings = E.Settings,
 		.Decide = E.Decide,
-		.Ask = E.Ask,
-		.Gate = E.Gate,
+		.Content = E.Content,
 		.Complete = E.Complete,
 		.GetPlace = E.GetPlace,
 		.AddPasses = E.AddPasses,
-		.Measured = E.Measured,
-		.Measure = E.Measure};
+		.Measurement = E.Measurement};
 };
 
 // A field that is forgotten does not compile.
@@ -88,8 +84,9 @@ TEST(Effects, WhatMustNotBeNullIsNot)
 		EXPECT_NE(nullptr, *Effect->Decide) << Name;
 		EXPECT_NE(nullptr, *Effect->GetPlace) << Name;
 		EXPECT_EQ('.', std::string(*Effect->Doc).back()) << Name;
-		EXPECT_EQ(*Effect->Ask == nullptr, *Effect->Gate == nullptr) << Name << " asks and gates, or neither";
-		EXPECT_EQ((*Effect->Measured).empty(), *Effect->Measure == nullptr) << Name;
+		EXPECT_EQ(Effect->Content->Ask == nullptr, Effect->Content->Gate == nullptr)
+			<< Name << " asks and gates, or neither";
+		EXPECT_EQ(Effect->Measurement->Textures.empty(), Effect->Measurement->Measure == nullptr) << Name;
 	}
 }
 

@@ -205,8 +205,8 @@ TEST(EngineProfile, ReplacingTheTonemapper)
 
 TEST(EngineHooks, EveryHookHasARow)
 {
-	for (int Index = 0; Index < static_cast<int>(EExtensionHook::Num); ++Index)
-	{
-		EXPECT_NE('\0', GetHookVersions(static_cast<EExtensionHook>(Index)).Signature[0]);
-	}
+	EXPECT_EQ(static_cast<size_t>(EExtensionHook::Num), GetHookVersions().size());
+	EXPECT_EQ("PreRenderBasePass", GetHookName(EExtensionHook::PreRenderBasePass));
+	EXPECT_EQ("PostTLASBuild", GetHookName(EExtensionHook::PostTLASBuild));
+	EXPECT_EQ("PostRenderViewFamily", GetHookName(EExtensionHook::PostRenderViewFamilyCommandList));
 }

@@ -33,16 +33,14 @@ const FEffect GPosterizeEffect{
 	.Settings = PosterizeSettings,
 	.bMayBrightenBeforeBloom = false,
 	.Decide = &DecidePosterize,
-	.Ask = nullptr,
-	.Gate = nullptr,
+	.Content = FContentGate{},
 	.Complete = nullptr,
 	.GetPlace =
 		[] {
 			return FChainPlace{EChainPlace::BeforeBloom, 2};
 		},
 	.AddPasses = &AddPosterizeEffect,
-	.Measured = NothingMeasured,
-	.Measure = nullptr,
+	.Measurement = FMeasurement{},
 };
 
 } // namespace Drydock
