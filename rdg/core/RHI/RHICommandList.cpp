@@ -386,7 +386,6 @@ void FRHICommandList::DrawRect(
 	{
 		return;
 	}
-	const Drydock::FShaderReflection& Reflection = BoundPixel.GetReflection();
 	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets();
 	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
 	Args.Targets = Targets.data();
