@@ -125,8 +125,8 @@ TEST(StabilityTable, HasARowForEveryHeaderOfPasses)
 			 "Blur/KernelAudit.h", "Blur/KernelAuditErrors.h", "Exposure/ExposureFactory.h",
 			 "Exposure/ExposureMetering.h", "Exposure/PostProcessEyeAdaptationParameters.h", "Screen/BuiltinTextures.h",
 			 "Screen/DrawRegion.h", "Screen/LimitErrors.h", "Screen/RasterTarget.h", "Screen/SampleSteps.h",
-			 "Screen/ScreenShaderPass.h", "Screen/TextureAssets.h", "Tonemap/ColorGrading.h", "Tonemap/TonemapLens.h",
-			 "Tonemap/TonemapOutputDevice.h"})
+			 "Screen/ScreenShaderPass.h", "Screen/TextureAssets.h", "Tonemap/ColorGrading.h", "Tonemap/ColorMatrix.h",
+			 "Tonemap/TonemapLens.h", "Tonemap/TonemapOutputDevice.h"})
 	{
 		EXPECT_EQ(1u, Headers.erase(Name)) << Name << " is no longer there";
 	}

@@ -29,9 +29,9 @@ namespace Drydock
 namespace
 {
 
-/** Of the tier's own text (CMakeLists.txt). */
+/** The hash of the tier's own text, which the build writes (CMakeLists.txt). */
 constexpr const char* ShaderTierHash =
-#include "ShaderTierHash.inl"
+#include <ShaderTierHash.inl>
 	;
 
 /** One request in memory. Requests for the same shader wait for the first. */

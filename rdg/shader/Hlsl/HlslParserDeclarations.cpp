@@ -255,6 +255,10 @@ void FParser::ParseTemplate(std::vector<FDeclaration*>& Out, EWhere Where)
 	bTemplateHead = false;
 	for (size_t Index = First; Index < Out.size(); ++Index)
 	{
+		if (Out[Index]->Name.Parts.empty())
+		{
+			Fail(Place, "X3000: syntax error: a template needs a name, by which it is used");
+		}
 		Out[Index]->bTemplate = true;
 		Out[Index]->Template = Parameters;
 	}

@@ -71,7 +71,8 @@ struct FName
 	uint32_t Height = 0;  // of the highest expression between its < and >
 	std::vector<FNamePart> Parts;
 
-	std::string_view Last() const { return Parts.back().Text; }
+	/** Empty for a thing without a name. */
+	std::string_view Last() const { return Parts.empty() ? std::string_view() : Parts.back().Text; }
 };
 
 /** Words before a declaration or a parameter. */
