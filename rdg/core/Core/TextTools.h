@@ -5,7 +5,7 @@
 #include <charconv>
 #include <functional>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -105,7 +105,7 @@ inline std::string JoinWords(const std::vector<std::string>& Words, const std::s
 /** "A, B, C and 4 more"; it names MaxNamed at most. */
 inline std::string ListSome(const std::vector<std::string>& Names, size_t MaxNamed)
 {
-	const std::string Text = JoinText(Names | std::views::take(MaxNamed));
+	const std::string Text = JoinText(std::span(Names).first(std::min(Names.size(), MaxNamed)));
 	return Names.size() > MaxNamed ? Text + " and " + std::to_string(Names.size() - MaxNamed) + " more" : Text;
 }
 
