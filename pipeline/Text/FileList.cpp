@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <sstream>
 
 namespace Drydock
@@ -144,8 +143,12 @@ bool FFileList::Has(const std::string& Name) const
 
 std::set<std::string> FFileList::GetNames() const
 {
-	const auto Names = std::views::keys(Files);
-	return {Names.begin(), Names.end()};
+	std::set<std::string> Names;
+	for (const auto& [Name, Fingerprint] : Files)
+	{
+		Names.insert(Name);
+	}
+	return Names;
 }
 
 std::string FFileList::FindFault(const Files::path& Folder, const std::string& Name) const
