@@ -102,6 +102,12 @@ FRHISamplerState* ChooseFilterSampler(ERectBorder RectBorder, EGaussianBlurAddre
 			   : TStaticSamplerState<SF_Bilinear, AM_Border, AM_Border, AM_Clamp>::GetRHI();
 }
 
+/** A slice's texture, which is a copy if the slice is one layer of an array. */
+FScreenPassTexture GetPlainTexture(FRDGBuilder& GraphBuilder, const Drydock::FScreenPassInput& Input)
+{
+	return Input.TextureSRV ? FScreenPassTexture::CopyFromSlice(GraphBuilder, Input) : FScreenPassTexture(Input);
+}
+
 FScreenPassTexture AddFilterPass(FRDGBuilder& GraphBuilder, const FViewInfo& View, const FFilterPassInputs& Inputs)
 {
 	const bool bCompute = View.bUseComputePasses;
@@ -194,9 +200,10 @@ FScreenPassTexture Drydock::BuiltInAddGaussianBlurPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FGaussianBlurInputs& Inputs)
 {
 	check(Inputs.Filter.IsValid());
+	const FScreenPassTexture Filter = GetPlainTexture(GraphBuilder, Inputs.Filter);
 	checkf(!FMath::IsNaN(Inputs.KernelSizePercent), TEXT("The kernel size of %s is not a number."), Inputs.NameX);
 
-	const FScreenPassTextureViewport Viewport(Inputs.Filter);
+	const FScreenPassTextureViewport Viewport(Filter);
 	const float Radius = Drydock::GetBlurRadius(Viewport.Rect.Width(), Inputs.KernelSizePercent);
 	const int32 SampleCountMax = Drydock::GetFilterSampleCountMax();
 	const FScreenPassTextureViewport HorizontalViewport =
@@ -206,7 +213,7 @@ FScreenPassTexture Drydock::BuiltInAddGaussianBlurPass(
 		Drydock::ComputeGaussianKernel(SampleCountMax, Radius, Inputs.CrossCenterWeight.X);
 	FFilterPassInputs Horizontal;
 	Horizontal.Name = Inputs.NameX;
-	Horizontal.Filter = Inputs.Filter;
+	Horizontal.Filter = Filter;
 	Horizontal.OutputExtent = HorizontalViewport.Extent;
 	Horizontal.OutputRect = HorizontalViewport.Rect;
 	Horizontal.Taps = TapsX;
@@ -218,7 +225,7 @@ FScreenPassTexture Drydock::BuiltInAddGaussianBlurPass(
 	FFilterPassInputs Vertical;
 	Vertical.Name = Inputs.NameY;
 	Vertical.Filter = AddFilterPass(GraphBuilder, View, Horizontal);
-	Vertical.Additive = Inputs.Additive;
+	Vertical.Additive = GetPlainTexture(GraphBuilder, Inputs.Additive);
 	Vertical.OutputExtent = Viewport.Extent;
 	Vertical.OutputRect = Viewport.Rect;
 	Vertical.Taps = TapsY;

@@ -57,11 +57,11 @@ struct FGaussianBlurInputs
 	const TCHAR* NameX = nullptr;
 	const TCHAR* NameY = nullptr;
 
-	/** [Required] What is blurred. */
-	FScreenPassTexture Filter;
+	/** [Required] What is blurred: a texture as up to engine 5.3, or a slice as from 5.4. */
+	Drydock::FScreenPassInput Filter;
 
 	/** [Optional] Added to the result, at the same place of the view; clamp addressing. */
-	FScreenPassTexture Additive;
+	Drydock::FScreenPassInput Additive;
 
 	/** Sharpness of the centre, x horizontal, y vertical (ComputeGaussianKernel). */
 	FVector2f CrossCenterWeight = FVector2f(0.0f, 0.0f);

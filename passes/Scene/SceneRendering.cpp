@@ -72,6 +72,7 @@ void FViewInfo::InitViewUniformBuffer(FIntPoint BufferExtent)
 	Parameters.SharedTrilinearClampedSampler =
 		TStaticSamplerState<SF_Trilinear, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
 
+	CachedViewUniformShaderParameters = MakeShared<FViewUniformShaderParameters>(Parameters);
 	ViewUniformBuffer = TUniformBufferRef<FViewUniformShaderParameters>::CreateUniformBufferImmediate(
 		Parameters, UniformBuffer_SingleFrame);
 }

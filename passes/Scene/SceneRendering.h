@@ -15,6 +15,38 @@ struct FVolumetricFogViewResources
 	FRDGTextureRef IntegratedLightScatteringTexture = nullptr;
 };
 
+/** A view as the frame before had it. Source: engine file ScenePrivate.h. */
+struct FPreviousViewInfo
+{
+	FIntRect ViewRect;
+	FViewMatrices ViewMatrices;
+	float SceneColorPreExposure = 1.0f;
+};
+
+/** A family and its scene textures: each family of a frame is one. */
+class FViewFamilyInfo : public FSceneViewFamily
+{
+public:
+	FViewFamilyInfo() = default;
+	explicit FViewFamilyInfo(const FSceneViewFamily& InViewFamily)
+		: FSceneViewFamily(InViewFamily)
+	{
+	}
+
+	FSceneTexturesConfig SceneTexturesConfig;
+
+	/** Null until the frame's graph is built; drydock fills it. */
+	const FSceneTextures* SceneTextures = nullptr;
+
+	/** A check before the frame's graph is built. */
+	const FSceneTextures& GetSceneTextures() const
+	{
+		checkf(SceneTextures, TEXT("The scene textures are there once the frame's graph is built"));
+		return *SceneTextures;
+	}
+	const FSceneTextures* GetSceneTexturesChecked() const { return &GetSceneTextures(); }
+};
+
 class FViewInfo : public FSceneView
 {
 public:
@@ -30,6 +62,15 @@ public:
 
 	/** The differences between engine versions: the row of the frame's version. */
 	Drydock::FEngineProfile EngineProfile = Drydock::GetDefaultEngineProfile();
+
+	/** The frame before; this frame itself where there was none. */
+	FPreviousViewInfo PrevViewInfo;
+
+	/** Pixels by which the projection is jittered. */
+	FVector2D TemporalJitterPixels = FVector2D(0.0, 0.0);
+
+	/** The contents of ViewUniformBuffer; null before InitViewUniformBuffer. */
+	TSharedPtr<FViewUniformShaderParameters> CachedViewUniformShaderParameters;
 
 	/** Camera matrices and times to start InitViewUniformBuffer from; pipeline/ fills them, defaults are neutral. */
 	FViewUniformShaderParameters UniformParameters;
@@ -64,6 +105,14 @@ public:
 	/** Derives rects, sizes, exposure and samplers from this view's members and creates ViewUniformBuffer. Call it
 	 * after ViewRect, PreExposure and UniformParameters are final. */
 	DRYDOCK_API void InitViewUniformBuffer(FIntPoint BufferExtent);
+
+	/** The family's output size for this view, in pixels. */
+	FIntPoint GetSecondaryViewRectSize() const
+	{
+		const float Fraction = Family != nullptr ? Family->SecondaryViewFraction : 1.0f;
+		return FIntPoint(FMath::CeilToInt(static_cast<float>(UnscaledViewRect.Width()) * Fraction),
+			FMath::CeilToInt(static_cast<float>(UnscaledViewRect.Height()) * Fraction));
+	}
 
 	const FSceneTextures& GetSceneTextures() const { return GetSceneTexturesChecked(); }
 	const FSceneTextures& GetSceneTexturesChecked() const

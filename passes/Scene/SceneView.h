@@ -13,7 +13,9 @@
 #include "ShaderParameterMacros.h"
 #include "ShowFlags.h"
 #include "UniformBuffer.h"
+#include "ViewMatrices.h"
 
+class AActor;
 class FRenderTarget;
 class FSceneView;
 class FViewInfo; // SceneRendering.h
@@ -117,6 +119,23 @@ public:
 	virtual ~FSceneViewStateInterface() = default;
 
 	virtual uint32 GetViewKey() const = 0;
+	virtual float GetLastEyeAdaptationExposure() const { return 0.0f; }
+};
+
+/** The pictures that a capture of the scene may take. Source: engine file Engine/EngineTypes.h. */
+enum ESceneCaptureSource : int
+{
+	SCS_SceneColorHDR,
+	SCS_SceneColorHDRNoAlpha,
+	SCS_FinalColorLDR,
+	SCS_SceneColorSceneDepth,
+	SCS_SceneDepth,
+	SCS_DeviceDepth,
+	SCS_Normal,
+	SCS_BaseColor,
+	SCS_FinalColorHDR,
+	SCS_FinalToneCurveHDR,
+	SCS_MAX
 };
 
 /** Views that are rendered together. */
@@ -139,6 +158,8 @@ public:
 	/** Active extensions in calling order. */
 	TArray<TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>> ViewExtensions;
 	float SecondaryViewFraction = 1.0f;
+	/** For captures, of which there are none. */
+	ESceneCaptureSource SceneCaptureSource = SCS_FinalToneCurveHDR;
 
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return GMaxRHIFeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
@@ -194,7 +215,21 @@ public:
 	FIntRect UnconstrainedViewRect;
 	FIntRect UnscaledViewRect;
 
+	/** The camera: place in cm, turn in degrees, horizontal angle of view in degrees. */
 	FVector ViewLocation = FVector(0.0, 0.0, 0.0);
+	FRotator ViewRotation = FRotator(0.0, 0.0, 0.0);
+	float FOV = 90.0f;
+	float DesiredFOV = 90.0f;
+
+	/** The camera's matrices. Changes that code makes in SetupView, such as a jitter, reach the View
+	 * uniform buffer. */
+	FViewMatrices ViewMatrices;
+
+	/** Who looks: nobody here. */
+	const AActor* ViewActor = nullptr;
+	int32 PlayerIndex = INDEX_NONE;
+	/** The index of an eye's view: there are none. */
+	int32 StereoViewIndex = INDEX_NONE;
 
 	/** The camera's fade, after the film curve, on display-linear light: the picture times ColorScale, then blended
 	 * with OverlayColor by its alpha. */
@@ -207,6 +242,8 @@ public:
 	bool bIsViewInfo = false;
 	bool bIsGameView = true;
 	bool bIsSceneCapture = false;
+	bool bIsSceneCaptureCube = false;
+	bool bIsOfflineRender = false;
 	bool bIsReflectionCapture = false;
 	bool bIsPlanarReflection = false;
 	bool bIsVirtualTexture = false;
@@ -216,6 +253,19 @@ public:
 
 	ERHIFeatureLevel::Type GetFeatureLevel() const { return FeatureLevel; }
 	EShaderPlatform GetShaderPlatform() const { return GMaxRHIShaderPlatform; }
+
+	/** Directions of the world, of length 1. */
+	FVector GetViewRight() const { return ViewMatrices.GetViewMatrix().GetColumn(0); }
+	FVector GetViewUp() const { return ViewMatrices.GetViewMatrix().GetColumn(1); }
+	FVector GetViewDirection() const { return ViewMatrices.GetViewMatrix().GetColumn(2); }
+	bool IsPerspectiveProjection() const { return ViewMatrices.IsPerspectiveProjection(); }
+	/** 0 without a state. */
+	uint32 GetViewKey() const { return State != nullptr ? State->GetViewKey() : 0; }
+	/** The exposure scale that the frame before adapted to; 0 where there is none, as in the engine. */
+	float GetLastEyeAdaptationExposure() const
+	{
+		return State != nullptr ? State->GetLastEyeAdaptationExposure() : 0.0f;
+	}
 
 	/** Views after the first of a family must keep what those before them drew. */
 	DRYDOCK_API ERenderTargetLoadAction GetOverwriteLoadAction() const;

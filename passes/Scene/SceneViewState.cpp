@@ -4,6 +4,8 @@
 #include "RenderGraphBuilder.h"
 #include "ScreenPass.h"
 
+#include <cstring>
+
 void FSceneViewState::BeginFrame(Drydock::FViewHistory InLast)
 {
 	Last = MoveTemp(InLast);
@@ -44,4 +46,16 @@ void FSceneViewState::KeepTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, 
 void FSceneViewState::KeepBuffer(FRDGBuilder& GraphBuilder, const TCHAR* Name, FRDGBufferRef Buffer)
 {
 	GraphBuilder.QueueBufferExtraction(Buffer, &Next.Buffers[Name]);
+}
+
+float FSceneViewState::GetLastEyeAdaptationExposure() const
+{
+	const auto Found = Last.Buffers.find(Drydock::EyeAdaptationName);
+	if (Found == Last.Buffers.end())
+	{
+		return 0.0f;
+	}
+	float Scale = 0.0f; // the buffer's first number
+	std::memcpy(&Scale, Found->second->GetRHI()->GetData(), sizeof(Scale));
+	return Scale;
 }

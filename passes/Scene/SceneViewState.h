@@ -64,6 +64,7 @@ public:
 	{
 	}
 	uint32 GetViewKey() const override { return Key; }
+	float GetLastEyeAdaptationExposure() const override;
 
 	/** A frame begins with what the one before it left. */
 	void BeginFrame(Drydock::FViewHistory InLast);

@@ -4,6 +4,7 @@
 #include "CodeScope.h"
 #include "GameFramework/Actor.h"
 #include "GameFramework/WorldSettings.h"
+#include "HAL/IConsoleManager.h"
 #include "RendererScene.h"
 #include "Subsystems/WorldSubsystem.h"
 
@@ -17,6 +18,7 @@ UWorld* MakeWorld()
 	Drydock::FSubsystems& Subsystems = Drydock::FSubsystems::Get();
 	Subsystems.SetOuter(Drydock::ESubsystemKind::World, World);
 	Subsystems.SetOuter(Drydock::ESubsystemKind::GameInstance, World->GetGameInstance());
+	Drydock::GetConsoleWorld() = World;
 	return World;
 }
 
@@ -161,4 +163,9 @@ void AActor::StartPlay()
 		Component->BeginPlay();
 	}
 	BeginPlay();
+}
+
+float AActor::GetActorTimeDilation() const
+{
+	return CustomTimeDilation * GWorld->GetWorldSettings()->GetEffectiveTimeDilation();
 }

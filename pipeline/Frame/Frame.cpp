@@ -7,6 +7,8 @@
 #include "Engine/BlendableInterface.h"
 #include "Extensions/ViewExtensions.h"
 #include "Frame/FamilyTarget.h"
+#include "Frame/FrameCamera.h"
+#include "Misc/App.h"
 #include "Modules/ModuleManager.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
@@ -99,6 +101,27 @@ private:
 	IRDGObserver* Next;
 };
 
+/** The targets of the engine's base pass, each in its slot: one that the scene lacks leaves its slot empty. */
+FRenderTargetBindingSlots GetBasePassTargets(const FSceneTextures& SceneTextures)
+{
+	FRenderTargetBindingSlots Targets;
+	const FRDGTextureRef Textures[] = {SceneTextures.Color, SceneTextures.GBufferA, SceneTextures.GBufferB,
+		SceneTextures.GBufferC, SceneTextures.GBufferD, SceneTextures.GBufferE};
+	for (uint32 Slot = 0; Slot < std::size(Textures); ++Slot)
+	{
+		if (Textures[Slot] != nullptr)
+		{
+			Targets[Slot] = FRenderTargetBinding(Textures[Slot], ERenderTargetLoadAction::ELoad);
+		}
+	}
+	if (const FRDGTextureRef Depth = SceneTextures.Depth)
+	{
+		Targets.DepthStencil = FDepthStencilBinding(Depth, ERenderTargetLoadAction::ELoad,
+			ERenderTargetLoadAction::ELoad, FExclusiveDepthStencil::DepthWrite_StencilWrite);
+	}
+	return Targets;
+}
+
 bool IsSameCamera(const FMinimalViewInfo& A, const FMinimalViewInfo& B)
 {
 	return A.Location == B.Location && A.Rotation == B.Rotation && A.FOV == B.FOV;
@@ -179,6 +202,10 @@ private:
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
+		FApp::UpdateLastTime();
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds));
+		FApp::SetDeltaTime(static_cast<double>(Inputs.Time.DeltaRealTimeSeconds));
 		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
@@ -242,16 +269,10 @@ private:
 		{
 			Projection.SetViewRectangle(View.ViewRect);
 		}
-		SetCameraParameters(Projection, View.UniformParameters);
-		if (const std::optional<FSceneViewProjectionData>& Last = Target.State->GetLast().Projection)
-		{
-			View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last);
-			SetPrevCameraParameters(*Last, View.UniformParameters);
-		}
+		SetUpCamera(Projection, View);
 		FViewHistory& Next = Target.State->Next;
 		Next.bValid = true;
 		Next.FrameNumber = Inputs.FrameNumber;
-		Next.Projection = Projection;
 		View.UniformParameters.GameTime = Inputs.Time.WorldTimeSeconds;
 		View.UniformParameters.RealTime = Inputs.Time.RealTimeSeconds;
 		View.UniformParameters.DeltaTime = Inputs.Time.DeltaWorldTimeSeconds;
@@ -289,11 +310,14 @@ private:
 		{
 			View.View->SceneTextures = &SceneTextures;
 		}
+		Family.SceneTexturesConfig = SceneTextures.Config;
+		Family.SceneTextures = &SceneTextures;
 		Extensions.PreRender(GraphBuilder, Family, NamedViews);
 		Extensions.PreInitViews(GraphBuilder);
-		for (const FNamedView& View : NamedViews)
+		for (const std::unique_ptr<FViewOfFrame>& View : Views)
 		{
-			View.View->InitViewUniformBuffer(Inputs.Extent);
+			UpdateCamera(View->View);
+			View->View.InitViewUniformBuffer(Inputs.Extent);
 		}
 		Extensions.PreRenderBasePass(GraphBuilder);
 
@@ -308,9 +332,8 @@ private:
 		if (!Extensions.IsEmpty())
 		{
 			PostProcessingInputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
-			FRenderTargetBindingSlots RenderTargets;
-			RenderTargets[0] = FRenderTargetBinding(SceneTextures.Color, ERenderTargetLoadAction::ELoad);
-			Extensions.PostRenderBasePass(GraphBuilder, NamedViews, RenderTargets, PostProcessingInputs.SceneTextures);
+			Extensions.PostRenderBasePass(
+				GraphBuilder, NamedViews, GetBasePassTargets(SceneTextures), PostProcessingInputs.SceneTextures);
 			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
@@ -462,7 +485,7 @@ private:
 	FViewExtensionFrame Extensions;
 	FFrameObserver Observer;
 	FFamilyTarget FamilyTarget;
-	FSceneViewFamily Family;
+	FViewFamilyInfo Family;
 	std::vector<std::unique_ptr<FViewOfFrame>> Views;
 	std::vector<FNamedView> NamedViews;
 	TRefCountPtr<IPooledRenderTarget> Final;

@@ -24,4 +24,8 @@ DRYDOCK_SHOWFLAG(PostProcessMaterial, true, "Post-process materials.")
 DRYDOCK_SHOWFLAG(Translucency, true, "Translucency.")
 DRYDOCK_SHOWFLAG(ScreenPercentage, true, "Rendering at another resolution than the output's.")
 DRYDOCK_SHOWFLAG(PathTracing, false, "The path tracer; there is none here.")
+DRYDOCK_SHOWFLAG(Game, true, "A game's frame, not an editor's.")
+DRYDOCK_SHOWFLAG(Lighting, true, "Lights; a scene comes lit, so this changes nothing.")
+DRYDOCK_SHOWFLAG(Wireframe, false, "Edges in place of surfaces; no geometry is drawn here, so this changes nothing.")
+DRYDOCK_SHOWFLAG(Rendering, true, "Rendering at all; for code that asks, since a run always renders.")
 // clang-format on

@@ -24,36 +24,6 @@ enum class EPostProcessMaterialInput : uint32
 
 constexpr uint32 kPostProcessMaterialInputCountMax = 5;
 
-namespace Drydock
-{
-
-/** A picture as callbacks get it: a texture as up to engine 5.3, and a slice (view and rect) as from 5.4. It converts
- * to either. */
-struct FScreenPassInput : public FScreenPassTexture
-{
-	FScreenPassInput() = default;
-	FScreenPassInput(const FScreenPassTexture& InTexture)
-		: FScreenPassTexture(InTexture)
-	{
-	}
-	FScreenPassInput(const FScreenPassTexture& InTexture, FRDGTextureSRVRef InTextureSRV)
-		: FScreenPassTexture(InTexture)
-		, TextureSRV(InTextureSRV)
-	{
-	}
-
-	operator FScreenPassTextureSlice() const
-	{
-		checkf(TextureSRV != nullptr || Texture == nullptr,
-			TEXT("This input was set without a graph builder: read it as a FScreenPassTexture"));
-		return FScreenPassTextureSlice(TextureSRV, ViewRect);
-	}
-
-	FRDGTextureSRVRef TextureSRV = nullptr;
-};
-
-} // namespace Drydock
-
 /** Inputs of one callback, and where it has to draw if anybody cares. */
 struct FPostProcessMaterialInputs
 {

@@ -7,8 +7,6 @@
 #include "RunningCode.h"
 #include "UObject/ScriptDelegates.h"
 
-class FTransform;
-
 class DRYDOCK_API AActor : public UObject
 {
 public:
@@ -30,6 +28,15 @@ public:
 	/** Called once before a frame, if PrimaryActorTick allows it; with 0 seconds, because the world stands still. */
 	virtual void Tick(float) {}
 	virtual bool ShouldTickIfViewportsOnly() const { return false; }
+
+	/** In play this actor's time goes so much faster than the world's. */
+	float CustomTimeDilation = 1.0f;
+
+	/** A flag that code may read: nothing of an actor is drawn here, hidden or not. */
+	bool IsHidden() const { return bHidden; }
+	virtual void SetActorHiddenInGame(bool bNewHidden) { bHidden = bNewHidden; }
+	/** Its own and the world's, multiplied. */
+	float GetActorTimeDilation() const;
 
 	USceneComponent* GetRootComponent() const { return RootComponent.Get(); }
 	void SetRootComponent(USceneComponent* InRootComponent) { RootComponent = InRootComponent; }
@@ -84,6 +91,7 @@ public:
 private:
 	TArray<UActorComponent*> Components;
 	Drydock::FCodeOwner Owner;
+	bool bHidden = false;
 };
 
 inline AActor* UActorComponent::GetOwner() const

@@ -3,6 +3,7 @@
 
 #include "CoreGlobals.h"
 #include "RHICommandList.h"
+#include "RenderCommandFence.h"
 
 inline void FlushRenderingCommands() {}
 

@@ -361,3 +361,21 @@ private:
 };
 
 } // namespace Drydock
+
+/** Memory of the graph for the data of an upload: fill it, and give it to QueueBufferUpload with NoCopy. It begins as
+ * zeros, where the engine's is undefined. */
+template<typename ElementType>
+class FRDGUploadData : public TArrayView<ElementType>
+{
+public:
+	FRDGUploadData() = default;
+	FRDGUploadData(FRDGBuilder& GraphBuilder, uint32 Count)
+		: TArrayView<ElementType>(GraphBuilder.AllocPODArrayView<ElementType>(Count))
+	{
+		static_assert(std::is_trivially_copyable_v<ElementType>, "Uploads are copied as bytes");
+		std::fill_n(reinterpret_cast<uint8*>(this->GetData()), GetTotalSize(), uint8(0));
+	}
+
+	/** In bytes. */
+	uint32 GetTotalSize() const { return static_cast<uint32>(this->NumBytes()); }
+};

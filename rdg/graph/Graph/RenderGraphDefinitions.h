@@ -75,6 +75,19 @@ enum class ERDGInitialDataFlags : uint8
 };
 ENUM_CLASS_FLAGS(ERDGInitialDataFlags)
 
+/** The planes of a texture that a view may be of. */
+enum class ERDGTextureMetaDataAccess : uint8
+{
+	None = 0,
+	CompressedSurface,
+	Depth,
+	Stencil,
+	HTile,
+	FMask,
+	CMask,
+	PrimitiveShadingRate,
+};
+
 enum class ERDGResourceExtractionFlags : uint8
 {
 	None = 0,

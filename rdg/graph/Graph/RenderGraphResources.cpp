@@ -17,6 +17,14 @@ void FRDGResource::ValidateRHIAccess() const
 	}
 }
 
+FRDGTextureSRVDesc FRDGTextureSRVDesc::CreateForMetaData(FRDGTextureRef Texture, ERDGTextureMetaDataAccess MetaData)
+{
+	checkf(MetaData <= ERDGTextureMetaDataAccess::Stencil,
+		"%s has no such plane: only graphics memory keeps HTile, FMask and CMask", Texture ? Texture->Name : "(null)");
+	return MetaData == ERDGTextureMetaDataAccess::Stencil ? CreateWithPixelFormat(Texture, PF_X24_G8)
+														  : FRDGTextureSRVDesc(Texture);
+}
+
 FRDGTextureSubresourceRange FRDGTextureSRV::GetSubresourceRange() const
 {
 	FRDGTextureSubresourceRange Range = Desc.Texture->GetSubresourceRangeSRV();

@@ -196,6 +196,9 @@ public:
 		Desc.NumArraySlices = 1;
 		return Desc;
 	}
+	/** One plane. CompressedSurface and Depth are the texture itself; Stencil needs a depth-stencil texture. A check
+	 * for a plane that only graphics memory has (HTile, FMask, CMask). */
+	static DRYDOCK_API FRDGTextureSRVDesc CreateForMetaData(FRDGTextureRef Texture, ERDGTextureMetaDataAccess MetaData);
 	/** PF_X24_G8 views the stencil of a depth-stencil texture. */
 	static FRDGTextureSRVDesc CreateWithPixelFormat(FRDGTextureRef Texture, EPixelFormat PixelFormat)
 	{
@@ -425,10 +428,7 @@ template<typename ParameterStructType>
 class TRDGUniformBuffer final : public FRDGUniformBuffer
 {
 public:
-	TRDGParameterStruct<ParameterStructType> GetParameters() const
-	{
-		return TRDGParameterStruct<ParameterStructType>(GetContents());
-	}
+	const TRDGParameterStruct<ParameterStructType>& GetParameters() const { return ParameterStruct; }
 	const ParameterStructType* GetContents() const
 	{
 		return static_cast<const ParameterStructType*>(FRDGUniformBuffer::GetContents());
@@ -439,8 +439,11 @@ private:
 	friend class FRDGBuilder;
 	TRDGUniformBuffer(const ParameterStructType* InParameters, const TCHAR* InName)
 		: FRDGUniformBuffer(ParameterStructType::FTypeInfo::GetStructMetadata(), InParameters, InName)
+		, ParameterStruct(InParameters)
 	{
 	}
+
+	const TRDGParameterStruct<ParameterStructType> ParameterStruct;
 };
 
 /** "Texture of this graph, else null" for optional inputs. */

@@ -62,6 +62,21 @@ FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, 
 	return FScreenPassTexture(Texture, Slice.ViewRect);
 }
 
+FScreenPassTexture FScreenPassTexture::CopyFromSlice(
+	FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice, FScreenPassTexture OverrideOutput)
+{
+	const FScreenPassTexture Input = CopyFromSlice(GraphBuilder, Slice);
+	if (!OverrideOutput.IsValid() || !Input.IsValid())
+	{
+		return Input;
+	}
+	const bool bWhole = FScreenPassTextureViewport(OverrideOutput).IsFullscreen();
+	AddDrawTexturePass(GraphBuilder, FScreenPassViewInfo(GMaxRHIFeatureLevel), Input,
+		FScreenPassRenderTarget(
+			OverrideOutput, bWhole ? ERenderTargetLoadAction::ENoAction : ERenderTargetLoadAction::ELoad));
+	return OverrideOutput;
+}
+
 FScreenPassTextureSlice FScreenPassTextureSlice::CreateFromScreenPassTexture(
 	FRDGBuilder& GraphBuilder, const FScreenPassTexture& ScreenTexture)
 {

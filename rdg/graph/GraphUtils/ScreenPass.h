@@ -30,6 +30,9 @@ struct DRYDOCK_API FScreenPassTexture
 
 	/** The slice as a texture of its own: copied when it is one layer of an array, else as it is. */
 	static FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
+	/** The same, drawn into OverrideOutput over its rectangle and returned as that, if it is valid. */
+	static FScreenPassTexture CopyFromSlice(
+		FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice, FScreenPassTexture OverrideOutput);
 
 	bool IsValid() const { return Texture != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
 
@@ -62,6 +65,41 @@ struct DRYDOCK_API FScreenPassTextureSlice
 	FRDGTextureSRVRef TextureSRV = nullptr;
 	FIntRect ViewRect;
 };
+
+namespace Drydock
+{
+
+/** A picture that code gets or gives: a texture as up to engine 5.3, and a slice (view and rect) as from 5.4. It
+ * converts from either and to either. */
+struct FScreenPassInput : public FScreenPassTexture
+{
+	FScreenPassInput() = default;
+	FScreenPassInput(const FScreenPassTexture& InTexture)
+		: FScreenPassTexture(InTexture)
+	{
+	}
+	FScreenPassInput(const FScreenPassTextureSlice& Slice)
+		: FScreenPassTexture(Slice.TextureSRV ? Slice.TextureSRV->Desc.Texture : nullptr, Slice.ViewRect)
+		, TextureSRV(Slice.TextureSRV)
+	{
+	}
+	FScreenPassInput(const FScreenPassTexture& InTexture, FRDGTextureSRVRef InTextureSRV)
+		: FScreenPassTexture(InTexture)
+		, TextureSRV(InTextureSRV)
+	{
+	}
+
+	operator FScreenPassTextureSlice() const
+	{
+		checkf(TextureSRV != nullptr || Texture == nullptr,
+			TEXT("This input was set without a graph builder: read it as a FScreenPassTexture"));
+		return FScreenPassTextureSlice(TextureSRV, ViewRect);
+	}
+
+	FRDGTextureSRVRef TextureSRV = nullptr;
+};
+
+} // namespace Drydock
 
 /** A texture to draw to, and what happens to its contents first. */
 struct DRYDOCK_API FScreenPassRenderTarget : public FScreenPassTexture
@@ -134,6 +172,13 @@ struct DRYDOCK_API FScreenPassTextureViewport
 	bool IsEmpty() const { return Extent.X <= 0 || Extent.Y <= 0 || Rect.Width() <= 0 || Rect.Height() <= 0; }
 	/** The rectangle is all of the texture. */
 	bool IsFullscreen() const { return Rect.Min == FIntPoint::ZeroValue && Rect.Max == Extent; }
+
+	/** Size of the rectangle in shares of the extent. */
+	FVector2D GetRectToExtentRatio() const
+	{
+		return FVector2D(static_cast<double>(static_cast<float>(Rect.Width()) / static_cast<float>(Extent.X)),
+			static_cast<double>(static_cast<float>(Rect.Height()) / static_cast<float>(Extent.Y)));
+	}
 
 	bool operator==(const FScreenPassTextureViewport&) const = default;
 

@@ -254,3 +254,31 @@ TEST(GaussianBlur, NegativesPassAndLargestHalfDoesNotOverflow)
 	EXPECT_EQ(
 		65504, Run.Execute(AddGaussianBlurPass(Run.GraphBuilder, Run.View, MakeInputs(Run, {3.0f}))).At(16, 16)[0]);
 }
+
+// From 5.4 on the filter is a slice; one layer of an array is taken out first.
+TEST(GaussianBlur, BlursASliceAsItsTexture)
+{
+	const FImage Image = FImage::Noise(24, 16);
+	const FImage Expected = Blur(Image, {4.0f}, EArithmetic::Float32);
+	{
+		FPassRun Run(Image, EArithmetic::Float32, PF_A32B32G32R32F);
+		FGaussianBlurInputs Inputs = MakeInputs(Run, {4.0f});
+		Inputs.Filter = FScreenPassTextureSlice::CreateFromScreenPassTexture(Run.GraphBuilder, Run.Input);
+		EXPECT_EQ(
+			0.0, MaxDifference(Expected, Run.Execute(AddGaussianBlurPass(Run.GraphBuilder, Run.View, Inputs)), 4));
+	}
+
+	FPassRun Layers(Image, EArithmetic::Float32, PF_A32B32G32R32F);
+	const FRDGTextureRef Array = Layers.GraphBuilder.CreateTexture(
+		FRDGTextureDesc::Create2DArray(FIntPoint(24, 16), PF_A32B32G32R32F, FClearValueBinding::None,
+			TexCreate_ShaderResource | TexCreate_RenderTargetable, 2),
+		TEXT("Layers"));
+	FRHICopyTextureInfo Copy;
+	Copy.DestSliceIndex = 1;
+	AddCopyTexturePass(Layers.GraphBuilder, Layers.Input.Texture, Array, Copy);
+	FGaussianBlurInputs Inputs = MakeInputs(Layers, {4.0f});
+	Inputs.Filter = FScreenPassTextureSlice(
+		Layers.GraphBuilder.CreateSRV(FRDGTextureSRVDesc::CreateForSlice(Array, 1)), Layers.Input.ViewRect);
+	EXPECT_EQ(
+		0.0, MaxDifference(Expected, Layers.Execute(AddGaussianBlurPass(Layers.GraphBuilder, Layers.View, Inputs)), 4));
+}

@@ -133,3 +133,25 @@ TEST(World, SubsystemsOfItsTypeStart)
 	EXPECT_EQ(nullptr, UWorld::GetSubsystem<UTestWorldSubsystem>(None));
 	EXPECT_EQ(nullptr, UGameInstance::GetSubsystem<UTestWorldSubsystem>(GWorld->GetGameInstance()));
 }
+
+TEST(World, ActorsHaveAFlagAndATimeOfTheirOwn)
+{
+	ATestActor* const Actor = GWorld->SpawnActor<ATestActor>();
+	EXPECT_FALSE(Actor->IsHidden());
+	Actor->SetActorHiddenInGame(true);
+	EXPECT_TRUE(Actor->IsHidden());
+	EXPECT_EQ(1.0f, Actor->GetActorTimeDilation());
+	Actor->CustomTimeDilation = 0.5f;
+	EXPECT_EQ(0.5f, Actor->GetActorTimeDilation());
+	Actor->Destroy();
+}
+
+TEST(World, ConsoleCommandsGetIt)
+{
+	UWorld* Seen = nullptr;
+	const FAutoConsoleCommandWithWorldAndArgs Command(TEXT("Test.World"), TEXT("Help"),
+		FConsoleCommandWithWorldAndArgsDelegate::CreateLambda(
+			[&Seen](const TArray<FString>&, UWorld* World) { Seen = World; }));
+	IConsoleManager::Get().ProcessUserConsoleInput(TEXT("Test.World"));
+	EXPECT_EQ(GWorld, Seen);
+}

@@ -172,8 +172,9 @@ public:
 		Data.push_back(std::move(Element));
 		return Num() - 1;
 	}
-	T& Add_GetRef(const T& Element) { return GetData()[Add(Element)]; }
-	T& Add_GetRef(T&& Element) { return GetData()[Add(std::move(Element))]; }
+	// Functions that end with _GetRef return the new element. The index comes first: adding may move the elements.
+	T& Add_GetRef(const T& Element) { return (*this)[Add(Element)]; }
+	T& Add_GetRef(T&& Element) { return (*this)[Add(std::move(Element))]; }
 	void Push(const T& Element) { Add(Element); }
 	void Push(T&& Element) { Add(std::move(Element)); }
 	template<typename... ArgumentTypes>
@@ -192,7 +193,7 @@ public:
 	template<typename... ArgumentTypes>
 	T& Emplace_GetRef(ArgumentTypes&&... Arguments)
 	{
-		return GetData()[Emplace(std::forward<ArgumentTypes>(Arguments)...)];
+		return (*this)[Emplace(std::forward<ArgumentTypes>(Arguments)...)];
 	}
 	/** Adds unless an equal element is there; returns the index of the one that is in the array. */
 	int32 AddUnique(const T& Element)
@@ -207,9 +208,18 @@ public:
 		SetNum(Index + Count);
 		return Index;
 	}
-	T& AddDefaulted_GetRef() { return GetData()[AddDefaulted()]; }
-	int32 AddZeroed(int32 Count = 1) { return AddDefaulted(Count); }
-	T& AddZeroed_GetRef() { return AddDefaulted_GetRef(); }
+	T& AddDefaulted_GetRef() { return (*this)[AddDefaulted()]; }
+	/** The new elements are all zero bytes, also where T has other defaults; T's defaults if memory cannot be T. */
+	int32 AddZeroed(int32 Count = 1)
+	{
+		const int32 Index = AddDefaulted(Count);
+		if constexpr (std::is_trivially_copyable_v<T>)
+		{
+			std::fill_n(reinterpret_cast<uint8*>(GetData() + Index), Count * sizeof(T), uint8(0));
+		}
+		return Index;
+	}
+	T& AddZeroed_GetRef() { return (*this)[AddZeroed()]; }
 	int32 AddUninitialized(int32 Count = 1) { return AddDefaulted(Count); }
 
 	void Append(const T* Pointer, int32 Count) { Data.insert(Data.end(), Pointer, Pointer + Count); }
@@ -350,7 +360,15 @@ public:
 		checkf(Count >= 0, "Invalid number of elements in SetNum: %d", Count);
 		Data.resize(Count);
 	}
-	void SetNumZeroed(int32 Count, FAllowShrinking = EAllowShrinking::Default) { SetNum(Count); }
+	void SetNumZeroed(int32 Count, FAllowShrinking = EAllowShrinking::Default)
+	{
+		if (Count > Num())
+		{
+			AddZeroed(Count - Num());
+			return;
+		}
+		SetNum(Count);
+	}
 	void SetNumUninitialized(int32 Count, FAllowShrinking = EAllowShrinking::Default) { SetNum(Count); }
 	/** Count copies of Element. */
 	void Init(const T& Element, int32 Count) { Data.assign(Count, Element); }

@@ -190,6 +190,21 @@ IConsoleCommand* IConsoleManager::RegisterConsoleCommand(
 		Flags);
 }
 
+IConsoleCommand* IConsoleManager::RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+	const FConsoleCommandWithWorldAndArgsDelegate& Command, EConsoleVariableFlags Flags)
+{
+	return RegisterConsoleCommand(Name, Help,
+		FConsoleCommandWithArgsDelegate::CreateLambda([Command](const TArray<FString>& Arguments)
+			{ Command.ExecuteIfBound(Arguments, Drydock::GetConsoleWorld()); }),
+		Flags);
+}
+
+UWorld*& Drydock::GetConsoleWorld()
+{
+	static UWorld* World = nullptr;
+	return World;
+}
+
 IConsoleCommand* IConsoleManager::RegisterConsoleCommand(
 	const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags)
 {

@@ -50,11 +50,21 @@ ENUM_CLASS_FLAGS(EConsoleVariableFlags)
 
 class IConsoleVariable;
 class IConsoleCommand;
+class UWorld;
 
 using FConsoleVariableDelegate = TDelegate<void(IConsoleVariable*)>;
 using FConsoleVariableMulticastDelegate = TMulticastDelegate<void(IConsoleVariable*)>;
 using FConsoleCommandDelegate = TDelegate<void()>;
 using FConsoleCommandWithArgsDelegate = TDelegate<void(const TArray<FString>&)>;
+using FConsoleCommandWithWorldAndArgsDelegate = TDelegate<void(const TArray<FString>&, UWorld*)>;
+
+namespace Drydock
+{
+
+/** The world that commands get: GWorld sets it. Null in a program without a world. */
+DRYDOCK_API UWorld*& GetConsoleWorld();
+
+} // namespace Drydock
 
 /** A variable or a command. */
 class DRYDOCK_API IConsoleObject
@@ -167,6 +177,8 @@ public:
 		const FConsoleCommandDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
 	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
 		const FConsoleCommandWithArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
+	IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+		const FConsoleCommandWithWorldAndArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default);
 	/** Must be called as often as the object was registered. The pointer is stale after the last time. */
 	void UnregisterConsoleObject(IConsoleObject* Object, bool bKeepState = true);
 	void UnregisterConsoleObject(const TCHAR* Name, bool bKeepState = true)
@@ -353,6 +365,16 @@ public:
 	}
 	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command,
 		EConsoleVariableFlags Flags = ECVF_Default)
+		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help, Command, Flags))
+	{
+	}
+};
+
+class FAutoConsoleCommandWithWorldAndArgs : public FAutoConsoleObject
+{
+public:
+	FAutoConsoleCommandWithWorldAndArgs(const TCHAR* Name, const TCHAR* Help,
+		const FConsoleCommandWithWorldAndArgsDelegate& Command, EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help, Command, Flags))
 	{
 	}

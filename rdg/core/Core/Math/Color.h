@@ -113,6 +113,14 @@ struct FColor
 	static const FColor Red;
 	static const FColor Green;
 	static const FColor Blue;
+	static const FColor Yellow;
+	static const FColor Cyan;
+	static const FColor Magenta;
+	static const FColor Orange;
+	static const FColor Purple;
+	static const FColor Turquoise;
+	static const FColor Silver;
+	static const FColor Emerald;
 
 	constexpr FColor() = default;
 	constexpr FColor(uint8 InR, uint8 InG, uint8 InB, uint8 InA = 255)
@@ -148,6 +156,14 @@ inline constexpr FColor FColor::Transparent(0, 0, 0, 0);
 inline constexpr FColor FColor::Red(255, 0, 0);
 inline constexpr FColor FColor::Green(0, 255, 0);
 inline constexpr FColor FColor::Blue(0, 0, 255);
+inline constexpr FColor FColor::Yellow(255, 255, 0);
+inline constexpr FColor FColor::Cyan(0, 255, 255);
+inline constexpr FColor FColor::Magenta(255, 0, 255);
+inline constexpr FColor FColor::Orange(243, 156, 18);
+inline constexpr FColor FColor::Purple(169, 7, 228);
+inline constexpr FColor FColor::Turquoise(26, 188, 156);
+inline constexpr FColor FColor::Silver(189, 195, 199);
+inline constexpr FColor FColor::Emerald(46, 204, 113);
 
 inline uint32 GetTypeHash(const FLinearColor& Color)
 {

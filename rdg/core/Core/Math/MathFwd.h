@@ -21,6 +21,12 @@ template<typename T>
 struct TRotator;
 template<typename T>
 struct TBox;
+template<typename T>
+struct TPlane;
+template<typename T>
+struct TTransform;
+template<typename T>
+struct TBoxSphereBounds;
 template<typename IntType>
 struct TIntPoint;
 template<typename IntType>
@@ -55,6 +61,15 @@ using FRotator3f = UE::Math::TRotator<float>;
 using FBox = UE::Math::TBox<double>;
 using FBox3d = UE::Math::TBox<double>;
 using FBox3f = UE::Math::TBox<float>;
+using FPlane = UE::Math::TPlane<double>;
+using FPlane4d = UE::Math::TPlane<double>;
+using FPlane4f = UE::Math::TPlane<float>;
+using FTransform = UE::Math::TTransform<double>;
+using FTransform3d = UE::Math::TTransform<double>;
+using FTransform3f = UE::Math::TTransform<float>;
+using FBoxSphereBounds = UE::Math::TBoxSphereBounds<double>;
+using FBoxSphereBounds3d = UE::Math::TBoxSphereBounds<double>;
+using FBoxSphereBounds3f = UE::Math::TBoxSphereBounds<float>;
 
 using FIntPoint = UE::Math::TIntPoint<int32>;
 using FInt32Point = UE::Math::TIntPoint<int32>;

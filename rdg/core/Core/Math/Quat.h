@@ -1,6 +1,7 @@
 // FQuat: a rotation as a unit quaternion; A * B applies B first. Source: engine Math/Quat.h.
 #pragma once
 
+#include "Math/Matrix.h"
 #include "Math/Rotator.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -39,7 +40,11 @@ struct alignas(16) TQuat
 	{
 	}
 
+	/** The rotation of a matrix whose axes have length 1. */
+	explicit TQuat(const TMatrix<T>& Matrix);
+
 	constexpr bool operator==(const TQuat&) const = default;
+	TRotator<T> Rotator() const { return FromAxes(GetForwardVector(), GetRightVector(), GetUpVector()); }
 	TQuat operator*(const TQuat& Other) const { return FromGlm(ToGlm() * Other.ToGlm()); }
 	TVector<T> RotateVector(const TVector<T>& Vector) const
 	{
@@ -66,12 +71,29 @@ struct alignas(16) TQuat
 private:
 	using GlmQuat = glm::qua<T, glm::defaultp>;
 
+	/** Yaw and pitch lead the forward axis; the heights of the others tell the roll. Looking straight up or down, yaw
+	 * and roll turn about one line: all of it is yaw. */
+	static TRotator<T> FromAxes(const TVector<T>& Forward, const TVector<T>& Right, const TVector<T>& Up)
+	{
+		const T Flat = std::hypot(Forward.X, Forward.Y);
+		const bool bUpright = Flat > T(1e-6);
+		return TRotator<T>(FMath::RadiansToDegrees(std::atan2(Forward.Z, Flat)),
+			FMath::RadiansToDegrees(bUpright ? std::atan2(Forward.Y, Forward.X) : std::atan2(-Right.X, Right.Y)),
+			bUpright ? FMath::RadiansToDegrees(std::atan2(-Right.Z, Up.Z)) : T(0));
+	}
+
 	GlmQuat ToGlm() const { return GlmQuat(W, X, Y, Z); }
 	static TQuat FromGlm(const GlmQuat& Quat) { return {Quat.x, Quat.y, Quat.z, Quat.w}; }
 };
 
 template<typename T>
 inline const TQuat<T> TQuat<T>::Identity(0, 0, 0, 1);
+
+template<typename T>
+TQuat<T>::TQuat(const TMatrix<T>& Matrix)
+	: TQuat(FromAxes(Matrix.GetScaledAxis(0), Matrix.GetScaledAxis(1), Matrix.GetScaledAxis(2)).Quaternion())
+{
+}
 
 template<typename T>
 TQuat<T> TRotator<T>::Quaternion() const

@@ -324,6 +324,45 @@ struct FMath
 	{
 		return High == Low ? (Value >= High ? T(1) : T(0)) : (Value - Low) / (High - Low);
 	}
+	// Random numbers, each thread with its own sequence, which begins alike in every run. The engine's come from the C
+	// library, and differ from platform to platform.
+	/** From 0 to 2^31 - 1. */
+	static DRYDOCK_API int32 Rand();
+	static DRYDOCK_API void RandInit(int32 Seed);
+	/** From 0 to below 1. */
+	static DRYDOCK_API float FRand();
+	/** The sequence of FRandomStream, from a seed that code sets; 0 at first. */
+	static DRYDOCK_API void SRandInit(int32 Seed);
+	static DRYDOCK_API float SRand();
+	/** From 0 to below Count; 0 if Count is not above 0. */
+	static DRYDOCK_API int32 RandHelper(int32 Count);
+	/** From Min to Max, both possible. */
+	static int32 RandRange(int32 Min, int32 Max)
+	{
+		return Min + RandHelper(Max - Min + 1);
+	}
+	static float RandRange(float Min, float Max)
+	{
+		return FRandRange(Min, Max);
+	}
+	static double RandRange(double Min, double Max)
+	{
+		return FRandRange(Min, Max);
+	}
+	static float FRandRange(float Min, float Max)
+	{
+		return Min + (Max - Min) * FRand();
+	}
+	static double FRandRange(double Min, double Max)
+	{
+		return Min + (Max - Min) * static_cast<double>(FRand());
+	}
+	static bool RandBool()
+	{
+		return RandRange(0, 1) == 1;
+	}
+	/** A direction of length 1, all equally likely. */
+	static DRYDOCK_API FVector VRand();
 	/** The value moved by at most DeltaTime * Speed of its distance. */
 	static double FInterpTo(double Current, double Target, double DeltaTime, double Speed)
 	{

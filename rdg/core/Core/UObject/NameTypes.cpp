@@ -2,6 +2,7 @@
 #include "UObject/NameTypes.h"
 
 #include "Containers/Map.h"
+#include "Misc/CString.h"
 
 #include <deque>
 #include <mutex>
@@ -56,7 +57,53 @@ private:
 	TMap<FString, uint32> Indices; // FString keys ignore case, as names do
 };
 
+/** The place of the "_" of a number at the end of a name; INDEX_NONE where there is no number, or one that an int32
+ * cannot hold. */
+int32 FindNumber(const FString& Text)
+{
+	const int32 End = Text.Len();
+	int32 Begin = End;
+	while (Begin > 0 && Text[Begin - 1] >= '0' && Text[Begin - 1] <= '9')
+	{
+		--Begin;
+	}
+	const int32 Digits = End - Begin;
+	const bool bNumber = Digits > 0 && Digits < 10 && (Digits == 1 || Text[Begin] != '0');
+	return bNumber && Begin > 1 && Text[Begin - 1] == '_' ? Begin - 1 : INDEX_NONE;
+}
+
+FString MakeNumbered(const FString& Plain, int32 Number)
+{
+	return Number == NAME_NO_NUMBER_INTERNAL
+			   ? Plain
+			   : FString::Printf(TEXT("%s_%d"), *Plain, NAME_INTERNAL_TO_EXTERNAL(Number));
+}
+
 } // namespace
+
+FName::FName(const TCHAR* Text, int32 Number, EFindName FindType)
+	: FName(MakeNumbered(Text, Number), FindType)
+{
+}
+
+FName::FName(const FName& Plain, int32 Number)
+	: FName(MakeNumbered(Plain.GetPlainNameString(), Number))
+{
+}
+
+int32 FName::GetNumber() const
+{
+	const FString Text = ToString();
+	const int32 At = FindNumber(Text);
+	return At == INDEX_NONE ? NAME_NO_NUMBER_INTERNAL : NAME_EXTERNAL_TO_INTERNAL(FCString::Atoi(*Text + At + 1));
+}
+
+FString FName::GetPlainNameString() const
+{
+	const FString Text = ToString();
+	const int32 At = FindNumber(Text);
+	return At == INDEX_NONE ? Text : Text.Left(At);
+}
 
 FName::FName(const TCHAR* Text, EFindName FindType)
 	: Index(Text != nullptr ? FNameTable::Get().FindOrAdd(Text, FindType) : 0)

@@ -9,6 +9,11 @@ enum EName
 	NAME_None = 0,
 };
 
+// A name with a number is written with "_" and the number less one: FName("Light", 3) is "Light_2", and 0 means none.
+#define NAME_NO_NUMBER_INTERNAL 0
+#define NAME_INTERNAL_TO_EXTERNAL(Number) ((Number)-1)
+#define NAME_EXTERNAL_TO_INTERNAL(Number) ((Number) + 1)
+
 enum EFindName
 {
 	FNAME_Find, // None if nobody made that name yet
@@ -26,11 +31,18 @@ public:
 	{
 	}
 
+	/** Number as the engine stores it: one more than is written, or 0 for none. */
+	FName(const TCHAR* Text, int32 Number, EFindName FindType = FNAME_Add);
+	FName(const FName& Plain, int32 Number);
+
+	/** The number of a name that ends with "_" and a number without leading zeros, plus one; else 0. */
+	int32 GetNumber() const;
 	bool IsNone() const { return Index == 0; }
 	bool IsValid() const { return true; }
 	FString ToString() const;
 	void ToString(FString& OutText) const { OutText = ToString(); }
-	FString GetPlainNameString() const { return ToString(); }
+	/** Without the number. */
+	FString GetPlainNameString() const;
 	void AppendString(FString& OutText) const { OutText += ToString(); }
 	/** Alphabetical, ignoring case: negative, zero or positive. */
 	int32 Compare(const FName& Other) const;
