@@ -4,6 +4,7 @@
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
+#include "Run/RunSetup.h"
 #include "ShaderCompilation.h"
 #include "ShaderDirectories.h"
 #include "ShaderLint.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <regex>
 #include <set>
 
@@ -50,6 +52,8 @@ uint8_t GetPlatforms(const FLintOptions& Options)
 
 /** The virtual directory of a file that is mapped only for checking. */
 constexpr const char* OwnDirectory = "/Lint";
+
+constexpr int ErrorNoEntryPoint = 6011;
 
 /** A file as its user named it: by the engine's path where it has one, else by that on disk. */
 std::string GetShownPath(const std::string& VirtualPath)
@@ -164,9 +168,32 @@ bool IsSameFile(const std::string& A, const std::string& B)
 	return A == B || fs::equivalent(FindShaderFile(A), FindShaderFile(B), Error);
 }
 
+/** An entry point may hide behind a bracket that is missing: then that is the mistake. */
+void ThrowWhatIsWrong(const FShaderCompileRequest& Request)
+{
+	try
+	{
+		LintShader(Request, 0);
+	}
+	catch (const FError& Error)
+	{
+		if (Error.GetDiagnostics().front().Code != ErrorNoEntryPoint)
+		{
+			throw;
+		}
+	}
+}
+
 /** Every permutation of the classes that name the file; where none does, the entry points that the text declares. */
 void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Found)
 {
+	std::optional<FRunSetup> Setup; // while it lives, the variables are as the command line sets them
+	if (!Options.Run.Variables.empty() || !Options.Run.Exec.empty())
+	{
+		FRunOptions Run = Options.Run;
+		Run.ConfigText = "{}";
+		Setup.emplace(Run);
+	}
 	MakeShaderCompileRequest("", "", EShaderStage::Compute); // maps the shipped shaders
 	const std::string Path = GetVirtualPath(Target);
 	bool bNamed = false;
@@ -208,7 +235,8 @@ void LintFile(const std::string& Target, const FLintOptions& Options, FFound& Fo
 	}
 	if (NumLooked == 0)
 	{
-		throw FError({.Code = 6011,
+		ThrowWhatIsWrong(MakeShaderCompileRequest(Path, Options.Entry, EShaderStage::Compute));
+		throw FError({.Code = ErrorNoEntryPoint,
 						 .Message = "no shader class names this file, and it has no entry point" +
 									(Options.Entry.empty() ? std::string() : " '" + Options.Entry + "'") +
 									": a function with [numthreads], or one that writes SV_Target" +
@@ -340,6 +368,7 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 			"--platform", "", Options->Platforms, "Report only findings for this platform; repeats; all by default")
 		.RequireOneOf(GetLintPlatforms());
 	Verb.Add("--entry", Options->Entry, "Check only this entry point; all by default").SetType("NAME");
+	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 namespace Drydock
@@ -39,8 +40,34 @@ std::vector<FFunctionText> ListFunctionTexts(const FHlslText& Text)
 namespace
 {
 
-/** The stage of an entry point; nothing for other functions. */
-std::optional<EShaderStage> FindStage(const FHlslText& Text, const FFunctionText& Function)
+bool IsTarget(const std::string& Word)
+{
+	const std::string Lower = ToLowerCase(Word);
+	return Lower.starts_with("sv_target") || Lower.starts_with("sv_depth");
+}
+
+/** The names of structs that hold what a pixel shader writes. */
+std::set<std::string> ListTargetStructs(const FHlslText& Text)
+{
+	std::set<std::string> Structs;
+	for (size_t At = 0; At + 2 < Text.Size(); ++At)
+	{
+		const size_t Close = Text.Is(At, "struct") && Text.Is(At + 2, "{") ? Text.FindClose(At + 2) : At;
+		for (size_t Word = At + 2; Word < std::min(Close, Text.Size()); ++Word)
+		{
+			if (IsTarget(Text[Word].Text) || Structs.contains(Text[Word].Text))
+			{
+				Structs.insert(Text[At + 1].Text);
+			}
+		}
+	}
+	return Structs;
+}
+
+/** The stage of an entry point; nothing for other functions. Targets: of ListTargetStructs. A function with such a
+ * struct is an entry where nothing calls it. */
+std::optional<EShaderStage> FindStage(
+	const FHlslText& Text, const FFunctionText& Function, const std::set<std::string>& Targets)
 {
 	const size_t Head = Function.Name - 1; // its type, behind the attributes
 	const size_t Opens = Head >= 5 && Text.Is(Head - 1, "]") ? Head - 1 : 0;
@@ -51,14 +78,17 @@ std::optional<EShaderStage> FindStage(const FHlslText& Text, const FFunctionText
 			return EShaderStage::Compute;
 		}
 	}
-	for (size_t At = Function.Parameters; At < Function.Body; ++At)
+	bool bStruct = false;
+	for (size_t At = Head; At < Function.Body; ++At)
 	{
-		if (ToLowerCase(Text[At].Text).starts_with("sv_target"))
+		if (IsTarget(Text[At].Text))
 		{
 			return EShaderStage::Pixel;
 		}
+		bStruct = bStruct || Targets.contains(Text[At].Text);
 	}
-	return std::nullopt;
+	const bool bEntry = bStruct && std::ranges::count(Text.Tokens, Text[Function.Name].Text, &FHlslToken::Text) == 1;
+	return bEntry ? std::optional(EShaderStage::Pixel) : std::nullopt;
 }
 
 } // namespace
@@ -76,9 +106,10 @@ std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request
 		return Entries;
 	}
 	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
+	const std::set<std::string> Targets = ListTargetStructs(Text);
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
-		if (const std::optional<EShaderStage> Stage = FindStage(Text, Function))
+		if (const std::optional<EShaderStage> Stage = FindStage(Text, Function, Targets))
 		{
 			Entries.push_back({Text[Function.Name].Text, *Stage});
 		}
@@ -103,10 +134,11 @@ FEntryTexts::FEntryTexts(const FShaderCompileRequest& Request)
 		Parts.emplace_back(Entry, Part.Join());
 		Next = End;
 	};
+	const std::set<std::string> Targets = ListTargetStructs(Text);
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
 		const std::string& Name = Text[Function.Name].Text;
-		if (Mentions[Name] > 1 || !FindStage(Text, Function))
+		if (Mentions[Name] > 1 || !FindStage(Text, Function, Targets))
 		{
 			continue;
 		}

@@ -274,6 +274,7 @@ private:
 	void ReadEntryAttributes(const FDeclaration& Declaration);
 	void ReadGroupSize(const FDeclaration& Declaration, const FAttribute& Attribute);
 	void AddParameters(FFunction& Function, FOverload& Overload, bool bEntry);
+	std::string ExplainStageValue(const std::string& Semantic, bool bOutput) const;
 	void CheckStageValues(const FFunction& Function);
 	void AddEntryParameter(FVariable& Variable, const FDeclaration& Declaration);
 	void CheckSemantics(const FType* Type, const std::string& Name, const FPlace& Place);

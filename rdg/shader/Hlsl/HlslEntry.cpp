@@ -1,5 +1,6 @@
 // The entry: which function it is, its parameters and semantics, the attributes before it.
 #include "HlslAnalysisImpl.h"
+#include "TextTools.h"
 
 #include <algorithm>
 
@@ -10,6 +11,22 @@ namespace
 {
 
 constexpr int64_t MaxGroupThreads = 1024;
+
+const std::vector<std::string> EntryComputeInputs = {
+	"SV_DispatchThreadID", "SV_GroupID", "SV_GroupThreadID", "SV_GroupIndex"};
+
+const std::vector<std::string> EntrySystemValues = {"SV_Position", "SV_Target", "SV_Depth", "SV_DepthGreaterEqual",
+	"SV_DepthLessEqual", "SV_StencilRef", "SV_Coverage", "SV_InnerCoverage", "SV_IsFrontFace", "SV_SampleIndex",
+	"SV_PrimitiveID", "SV_VertexID", "SV_InstanceID", "SV_StartVertexLocation", "SV_StartInstanceLocation",
+	"SV_ClipDistance", "SV_CullDistance", "SV_RenderTargetArrayIndex", "SV_ViewportArrayIndex", "SV_ViewID",
+	"SV_Barycentrics", "SV_ShadingRate", "SV_DispatchThreadID", "SV_GroupID", "SV_GroupThreadID", "SV_GroupIndex"};
+
+bool HasEntryValue(const std::vector<std::string>& Values, const std::string& Semantic)
+{
+	const std::string Name = Semantic.substr(0, Semantic.find_last_not_of("0123456789") + 1);
+	return std::ranges::any_of(
+		Values, [Name = ToLowerCase(Name)](const std::string& Each) { return ToLowerCase(Each) == Name; });
+}
 
 } // namespace
 
@@ -89,6 +106,35 @@ void FAnalyser::AnalyseEntry()
 	Work.emplace_back(Function, Overload);
 }
 
+/** Why an entry of the stage cannot have the semantic; empty where it can. */
+std::string FAnalyser::ExplainStageValue(const std::string& Semantic, bool bOutput) const
+{
+	const bool bSystem = Semantic.starts_with("SV_");
+	if (Semantic.empty())
+	{
+		return {};
+	}
+	if (bSystem && !HasEntryValue(EntrySystemValues, Semantic))
+	{
+		const std::string Name = Semantic.substr(0, Semantic.find_last_not_of("0123456789") + 1);
+		return "X4502: '" + Name + "' is not a system value" + SuggestName(Name, EntrySystemValues);
+	}
+	if (Options.Stage == EStage::Compute && bOutput)
+	{
+		return "a compute shader has no outputs, and '" + Semantic + "' is one: write into a UAV";
+	}
+	if (Options.Stage == EStage::Compute && (!HasEntryValue(EntryComputeInputs, Semantic) || Semantic.back() != '0'))
+	{
+		return "X4502: a compute shader has no input '" + Semantic +
+			   "'; it has SV_DispatchThreadID, SV_GroupID, SV_GroupThreadID and SV_GroupIndex";
+	}
+	if (Semantic.starts_with("SV_TARGET") && (Semantic.size() != 10 || Semantic.back() > '7'))
+	{
+		return "X4571: '" + Semantic + "': a pixel shader has the targets SV_Target0 to SV_Target7";
+	}
+	return {};
+}
+
 /** A semantic stands once among the inputs and once among the outputs. */
 void FAnalyser::CheckStageValues(const FFunction& Function)
 {
@@ -112,7 +158,12 @@ void FAnalyser::CheckStageValues(const FFunction& Function)
 		AddNames(AddNames, Type, Semantic);
 		for (const std::string& Name : Names)
 		{
-			if (!Name.empty() && !Seen[bOutput].insert(Name).second)
+			const std::string Problem = ExplainStageValue(Name, bOutput);
+			if (!Problem.empty())
+			{
+				Error(Place, Problem);
+			}
+			else if (!Name.empty() && !Seen[bOutput].insert(Name).second)
 			{
 				Error(Place, "X3000: the semantic '" + Name + "' stands twice among the " +
 								 (bOutput ? "outputs" : "inputs") + " of the entry; give each an index of its own");

@@ -106,6 +106,30 @@ TEST(LintProgram, AFileOfAPluginIncludesByThePluginsNames)
 	EXPECT_THAT(Found.Printed, HasSubstr("Part.usf:5: error: a store to a typed UAV")) << Found.Printed;
 }
 
+TEST(LintProgram, EntriesThatFillAStructAreFoundAndBracketsThatLackAreNamed)
+{
+	const FProgramFolder Folder("lint_entries");
+	const std::string Struct = "struct FOut { float4 A : SV_Target0; float4 B : SV_Target1; };\n";
+	Folder.Write(
+		"Returns.usf", Struct + "FOut Main(float2 UV : TEXCOORD0) { FOut O; O.A = UV.xyxy; O.B = 1; return O; }\n");
+	Folder.Write("Fills.usf", Struct + "void Main(float2 UV : TEXCOORD0, out FOut O) { O.A = UV.xyxy; O.B = 1; }\n");
+	Folder.Write("Bracket.usf", "float F(float x { return x; }\nfloat4 Main() : SV_Target { return F(1); }\n");
+	for (const char* const File : {"Returns.usf", "Fills.usf"})
+	{
+		EXPECT_THAT(Folder.Call(std::string("lint ") + File).Printed, HasSubstr("1 shader looked at, 0 findings\n"));
+	}
+	EXPECT_THAT(Folder.Call("lint Bracket.usf").Printed, HasSubstr("Bracket.usf:1:17: error: X3000: syntax error"));
+}
+
+TEST(LintProgram, VariablesChooseTheRules)
+{
+	const FProgramFolder Folder("lint_set");
+	Folder.Write("Vector.usf", "float4 Main(float4 P : SV_Position) : SV_Target { return P > 4 ? P : 1; }\n");
+	EXPECT_THAT(Folder.Call("lint Vector.usf").Printed, HasSubstr("X3019"));
+	EXPECT_THAT(
+		Folder.Call("lint Vector.usf --set r.D3D.ForceDXC=0").Printed, HasSubstr("1 shader looked at, 0 findings\n"));
+}
+
 TEST(LintProgram, FindingsHaveTheirLineAndAllowedOnesAreLeftOut)
 {
 	const FProgramFolder Folder("lint_findings");
