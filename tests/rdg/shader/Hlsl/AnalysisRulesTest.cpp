@@ -208,9 +208,9 @@ TEST(HlslAnalysisRules, EachStageHasItsOwnValues)
 		"1:70: X4502: a compute shader has no input 'TEXCOORD0'; it has SV_DispatchThreadID, SV_GroupID, "
 		"SV_GroupThreadID and SV_GroupIndex");
 	EXPECT_EQ(AnalyseText(Head + "uint P : SV_GroupIndx) { }", EStage::Compute).Messages,
-		"1:35: X4502: 'SV_GROUPINDX' is not a system value; did you mean SV_GroupIndex?");
+		"1:38: X4502: 'SV_GROUPINDX' is not a system value; did you mean SV_GroupIndex?");
 	EXPECT_EQ(AnalyseText(Head + "out float4 C : SV_Target0) { C = 0; }", EStage::Compute).Messages,
-		"1:41: a compute shader has no outputs, and 'SV_TARGET0' is one: write into a UAV");
+		"1:44: a compute shader has no outputs, and 'SV_TARGET0' is one: write into a UAV");
 	EXPECT_EQ(AnalyseText("float4 Main() : SV_Target8 { return 0; }", EStage::Pixel).Messages,
 		"1:8: X4571: 'SV_TARGET8': a pixel shader has the targets SV_Target0 to SV_Target7");
 	EXPECT_EQ(AnalyseText("float4 Main(float4 P : SV_Posision) : SV_Target { return P; }", EStage::Pixel).Messages,
