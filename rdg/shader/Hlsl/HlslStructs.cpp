@@ -106,7 +106,8 @@ bool FAnalyser::AddBits(const FDeclaration& Declaration, FStructInfo& Info, FStr
 	const std::string Name = "the bit field '" + std::string(Declaration.Name.Last()) + "'";
 	const FType* const Own = FindDeclaredType(Declaration);
 	const int64_t Width = FindInteger(*Declaration.Width, "the width of " + Name).value_or(0);
-	const bool bInteger = Own->IsScalar() && !Own->IsEnum() && (Own->Scalar == EScalar::Int || Own->Scalar == EScalar::Uint);
+	const bool bInteger =
+		Own->IsScalar() && !Own->IsEnum() && (Own->Scalar == EScalar::Int || Own->Scalar == EScalar::Uint);
 	if (!bInteger || Width < 1 || Width > Most)
 	{
 		Error(Declaration.Place, Name + " is of int or uint and has 1 to 32 bits");
