@@ -91,7 +91,13 @@ FTarget FEmitter::Place(const FValue& Node)
 		if (!Node.bPostfix)
 		{
 			Value(Node);
-			return Place(*Node.Operands[0]);
+			const FValue* Written = Node.Operands[0]; // what stands in it has been run
+			while (Written->Kind == EValue::Assign || Written->Kind == EValue::Modify ||
+				   (Written->Kind == EValue::Step && !Written->bPostfix))
+			{
+				Written = Written->Operands[0];
+			}
+			return Place(*Written);
 		}
 		break;
 	case EValue::Comma:
