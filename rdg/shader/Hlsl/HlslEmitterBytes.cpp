@@ -1,6 +1,8 @@
 // Buffers of bytes: any type word by word, its members where C++ has them, matrices by rows.
 #include "HlslEmitterImpl.h"
 
+#include <utility>
+
 namespace Drydock::Hlsl
 {
 
@@ -219,6 +221,30 @@ uint32_t FEmitter::ByteMethod(const FValue& Node)
 	Target.Objects = Set;
 	AtomicOn(Target, Plain, Kind, Node, 2);
 	return 0;
+}
+
+/** A bit field of a uint, with its sign. */
+uint32_t FEmitter::BitsOf(uint32_t Id, const FBits& Bits)
+{
+	const uint32_t Type = ScalarType(EScalar::Uint);
+	const uint32_t High = Op(OpShiftLeftLogical, Type, {Id, Module.Int(32 - Bits.First - Bits.Count)});
+	const uint32_t Down = Module.Int(32 - Bits.Count);
+	return Bits.bSigned ? Op(OpShiftRightArithmetic, ScalarType(EScalar::Int),
+							  {Bitwise(High, EScalar::Uint, EScalar::Int), Down})
+						: Op(OpShiftRightLogical, Type, {High, Down});
+}
+
+/** A bit field is read, changed and written. */
+void FEmitter::StoreBits(FTarget Target, uint32_t Id)
+{
+	const FBits Bits = std::exchange(Target.Bits, {});
+	const uint32_t Mask = (~0u >> (32 - Bits.Count)) << Bits.First;
+	const uint32_t Type = ScalarType(EScalar::Uint);
+	const uint32_t New = Bits.bSigned ? Bitwise(Id, EScalar::Int, EScalar::Uint) : Id;
+	const uint32_t Moved = Op(OpShiftLeftLogical, Type, {New, Module.Int(Bits.First)});
+	const uint32_t Kept = Op(OpBitwiseAnd, Type, {Load(Target), ScalarConstant(EScalar::Uint, ~Mask)});
+	const uint32_t Set = Op(OpBitwiseAnd, Type, {Moved, ScalarConstant(EScalar::Uint, Mask)});
+	Store(Target, Op(OpBitwiseOr, Type, {Kept, Set}));
 }
 
 } // namespace Drydock::Hlsl
