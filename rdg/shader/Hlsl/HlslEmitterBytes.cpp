@@ -1,4 +1,4 @@
-// Buffers of bytes: any type word by word, its members where C++ has them, matrices by rows.
+// Buffers of bytes: any type word by word, its members where C++ has them, matrices by rows. Bit fields of words.
 #include "HlslEmitterImpl.h"
 
 #include <utility>
