@@ -6,6 +6,7 @@
 #include "Effects/Exposure.h"
 #include "Engine/BlendableInterface.h"
 #include "Extensions/ViewExtensions.h"
+#include "Frame/BasePassTargets.h"
 #include "Frame/FamilyTarget.h"
 #include "Frame/FrameCamera.h"
 #include "Misc/App.h"
@@ -100,27 +101,6 @@ public:
 private:
 	IRDGObserver* Next;
 };
-
-/** The targets of the engine's base pass, each in its slot: one that the scene lacks leaves its slot empty. */
-FRenderTargetBindingSlots GetBasePassTargets(const FSceneTextures& SceneTextures)
-{
-	FRenderTargetBindingSlots Targets;
-	const FRDGTextureRef Textures[] = {SceneTextures.Color, SceneTextures.GBufferA, SceneTextures.GBufferB,
-		SceneTextures.GBufferC, SceneTextures.GBufferD, SceneTextures.GBufferE};
-	for (uint32 Slot = 0; Slot < std::size(Textures); ++Slot)
-	{
-		if (Textures[Slot] != nullptr)
-		{
-			Targets[Slot] = FRenderTargetBinding(Textures[Slot], ERenderTargetLoadAction::ELoad);
-		}
-	}
-	if (const FRDGTextureRef Depth = SceneTextures.Depth)
-	{
-		Targets.DepthStencil = FDepthStencilBinding(Depth, ERenderTargetLoadAction::ELoad,
-			ERenderTargetLoadAction::ELoad, FExclusiveDepthStencil::DepthWrite_StencilWrite);
-	}
-	return Targets;
-}
 
 bool IsSameCamera(const FMinimalViewInfo& A, const FMinimalViewInfo& B)
 {

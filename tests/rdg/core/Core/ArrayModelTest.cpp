@@ -319,7 +319,7 @@ TEST(ArrayModel, OfTexts)
 	CheckArrayAgainstModel<FString>();
 }
 
-// Of these the array was null, or had moved, when the reference was made.
+// The array of each of these was null, or had moved, when the reference was made.
 TEST(ArrayModel, ReferencesToNewElementsAreNotStale)
 {
 	TArray<int32> Array;

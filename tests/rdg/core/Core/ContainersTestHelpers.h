@@ -1,4 +1,4 @@
-// What tests of containers against a model share: fixed seeds, and random elements.
+// Fixed seeds and random elements for the tests of containers against a model.
 #pragma once
 
 #include <random>

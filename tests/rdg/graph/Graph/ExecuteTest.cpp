@@ -1,5 +1,5 @@
 // Running graphs: order, contents, what leaves the graph, memory. A little past 500 lines: the cases share one set of
-// helpers, which is no use elsewhere.
+// helpers, which no other file needs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // Numbers of 16 and 64 bits: kernels of all widths, in float and in double, and the interpreter against plain C++.
+// A little past 500 lines: the cases share one harness and its words.
 #include "ShaderHarness.h"
 #include "TileExecutor.h"
 
