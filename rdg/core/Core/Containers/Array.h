@@ -1,6 +1,6 @@
 // TArray: a dynamic array with the engine's interface over std::vector. Indices are int32; reading outside the array is
 // a failed check in every build. "Uninitialized" elements are zeroed here, so that results never depend on old memory.
-// Source: engine Containers/Array.h.
+// Source: engine Containers/Array.h. A little past 500 lines: one class, which cannot be in two files.
 #pragma once
 
 #include "Containers/ContainersFwd.h"
