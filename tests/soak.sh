@@ -163,7 +163,7 @@ Kills() {
 
 Random() {
 	local Code=0 Log=$Results/random.run Work Agree Other
-	Prepare release test_rdg_Compiler drydock_front_end || return 0
+	Prepare release test_rdg_Compiler || return 0
 	Work=$(mktemp -d)
 	Within tests/random/run.sh build/release "$Work" 20000 $((Seed * 20000)) "$(nproc)" 2>&1 | tee "$Log" || Code=$?
 	Agree=$(cat "$Work"/*.log 2>/dev/null | grep -c '^\[       OK' || true)
@@ -210,14 +210,14 @@ Sweep() {
 
 Oracles() {
 	Count() { echo "$(grep -c '^\[       OK' "$1" || true) tests"; }
-	Prepare release test_rdg_vulkan drydock_front_end || return 0
+	Prepare release test_rdg_vulkan || return 0
 	OneTest env DRYDOCK_ORACLES=512 build/release/bin/test_rdg_vulkan
 }
 
 Conformance() {
 	Count() { grep ' tests:' "$1" | paste -s -d ';' || true; }
 	local Others=${DRYDOCK_CONFORMANCE_TESTS:-}
-	Prepare release conformance drydock_front_end || return 0
+	Prepare release conformance || return 0
 	# shellcheck disable=SC2016 # of the inner shell
 	OneTest env -u DRYDOCK_CONFORMANCE_TESTS bash -c 'build/release/bin/conformance --all tests/conformance/Tests &&
 		if [ -n "$1" ]; then build/release/bin/conformance "$1"; fi' conformance "$Others"
