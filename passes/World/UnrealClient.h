@@ -16,4 +16,9 @@ public:
 	/** Texels. */
 	virtual FIntPoint GetSizeXY() const = 0;
 	virtual float GetDisplayGamma() const { return 2.2f; }
+	/** Row by row; an empty rectangle means all. False where there is no texture. */
+	bool ReadPixels(TArray<FColor>& OutImageData, FReadSurfaceDataFlags Flags = FReadSurfaceDataFlags(RCM_UNorm),
+		FIntRect Rect = FIntRect()) const;
+	bool ReadLinearColorPixels(TArray<FLinearColor>& OutImageData,
+		FReadSurfaceDataFlags Flags = FReadSurfaceDataFlags(RCM_MinMax), FIntRect Rect = FIntRect()) const;
 };

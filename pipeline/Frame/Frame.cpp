@@ -181,6 +181,8 @@ private:
 		Family.RenderTarget = &FamilyTarget;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
+		GFrameNumber = GFrameNumberRenderThread = Inputs.FrameNumber;
+		GFrameCounter = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
 		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
 		FApp::UpdateLastTime();

@@ -11,8 +11,10 @@
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
 #include "Patch/PatchTemplate.h"
+#include "Patch/EngineApi.h"
 #include "Patch/PluginBuild.h"
 #include "Patch/PluginBuildErrors.h"
+#include "RangeTools.h"
 #include "Picture/ContactSheet.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
@@ -169,17 +171,8 @@ std::string RememberSteps(const Files::path& BuildFolder)
 }
 
 /** A plugin that does not compile is a finding; what else is wrong is thrown. */
-FMatrixBuild BuildVersion(
-	const FMatrixRequest& Request, const FVersionMatrix& Matrix, const FMatrixRow& Row, int NumJobs)
+void BuildOnce(const FPluginBuild& Build, const std::string& Folder, FMatrixBuild& Made)
 {
-	FMatrixBuild Made = Row.Build;
-	FPluginBuild Build;
-	Build.Folder = Matrix.Folder;
-	Build.BuildFolder = Matrix.OutputFolder + "/" + DescribeVersion(Row.Minor);
-	Build.EngineMinor = Row.Minor;
-	Build.Excludes = Request.Excludes;
-	Build.Compiler = Request.Compiler;
-	Build.NumJobs = NumJobs;
 	try
 	{
 		const FBuiltPlugin Built = BuildPlugin(Build);
@@ -194,10 +187,34 @@ FMatrixBuild BuildVersion(
 		{
 			throw;
 		}
-		const std::vector<FMatrixMessage> Errors =
-			ReadCompilerMessages(First.Message, ECompilerMessage::Error, Matrix.Folder);
+		const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(First.Message, ECompilerMessage::Error, Folder);
 		const std::string Whole = First.Message.substr(0, First.Message.find('\n'));
 		Made.FirstError = Errors.empty() ? FMatrixMessage{.Text = Whole} : Errors.front();
+	}
+}
+
+FMatrixBuild BuildVersion(
+	const FMatrixRequest& Request, const FVersionMatrix& Matrix, const FMatrixRow& Row, int NumJobs)
+{
+	FMatrixBuild Made = Row.Build;
+	FPluginBuild Build;
+	Build.Folder = Matrix.Folder;
+	Build.BuildFolder = Matrix.OutputFolder + "/" + DescribeVersion(Row.Minor);
+	Build.EngineMinor = Row.Minor;
+	Build.EngineNames = 2;
+	Build.Excludes = Request.Excludes;
+	Build.Compiler = Request.Compiler;
+	Build.NumJobs = NumJobs;
+	BuildOnce(Build, Matrix.Folder, Made);
+	const std::string Log = TryReadTextFile(Build.BuildFolder + "/build.log").value_or("");
+	Made.InEngine = FindVersionMessages(Log);
+	std::erase_if(Made.Notes, [&Made](const std::string& Note) { return Contains(Made.InEngine, Note); });
+	if (!Made.bBuilt && !Made.InEngine.empty())
+	{
+		// The picture with these names is of interest all the same.
+		Build.EngineNames = 1;
+		Made.FirstError.reset();
+		BuildOnce(Build, Matrix.Folder, Made);
 	}
 	Made.Warnings = ReadCompilerMessages(RememberSteps(Build.BuildFolder), ECompilerMessage::Warning, Matrix.Folder);
 	return Made;

@@ -8,6 +8,7 @@
 #include "Interfaces/IPluginManager.h"
 #include "Objects/IniText.h"
 #include "Objects/ObjectErrors.h"
+#include "Objects/ObjectPictures.h"
 #include "Objects/PropertyText.h"
 #include "RangeTools.h"
 #include "RegularFile.h"
@@ -343,8 +344,11 @@ void FObjectValues::GiveObjects(const std::string& Library)
 			for (const FJsonMember& Member : Object.Value.Members)
 			{
 				FPropertyProblem Problem;
+				FPropertyValue Value = MakeValue(Member.Value);
+				const FFoundProperty Found = FReflection::Get().FindProperty(*Class, Member.Key, false);
 				if (ContainsInvalid(Member.Value) ||
-					FReflection::Get().Give(*Class, Member.Key, MakeValue(Member.Value), Problem))
+					((Found.Property == nullptr || LoadPictures(Config, *Found.Property->Type, Value, Problem)) &&
+						FReflection::Get().Give(*Class, Member.Key, Value, Problem)))
 				{
 					continue;
 				}

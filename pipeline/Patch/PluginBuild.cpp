@@ -4,6 +4,7 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/EngineApi.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
 #include "Patch/PluginBuildErrors.h"
@@ -283,6 +284,8 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	}
 	const std::string Compiled = RunTool(Compile, Build.TimeLimitSeconds, bSucceeded);
 	WriteTextFile(LogFile, LogMark + Configured + Compiled);
+	const std::vector<std::string> Versions = FindVersionMessages(Compiled);
+	OutNotes.insert(OutNotes.end(), Versions.begin(), Versions.end());
 	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
 }
 
@@ -348,7 +351,8 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		   Build.Name + "\n\tFOLDER " + Quote(Build.Folder) + Rest +
 		   ")\n"
 		   "target_compile_definitions(" +
-		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + Definitions + ")\n" +
+		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) +
+		   " DRYDOCK_ENGINE_NAMES=" + std::to_string(Build.EngineNames) + Definitions + ")\n" +
 		   (Includes.empty() ? std::string()
 							 : "target_include_directories(" + Build.Name + " BEFORE PRIVATE" + Includes + ")\n");
 }

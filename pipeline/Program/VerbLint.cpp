@@ -1,4 +1,5 @@
 // `drydock lint`: what of shaders fails on platforms that drydock is not.
+#include "EngineNames.h"
 #include "GlobalShader.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
@@ -34,7 +35,8 @@ struct FLintOptions
 	FRunOptions Run; // for configs
 	std::vector<std::string> Targets;
 	std::vector<std::string> Platforms;
-	std::string Entry; // of shaders that no class names; empty: all
+	std::string Entry;   // of shaders that no class names; empty: all
+	int EngineMinor = 0; // whose names shaders may use; 0: any
 	bool bList = false;
 	bool bJson = false;
 };
@@ -330,6 +332,7 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
+	SetLintEngine(Options.EngineMinor);
 	const auto Print = [&]
 	{
 		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
@@ -368,6 +371,9 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 			"--platform", "", Options->Platforms, "Report only findings for this platform; repeats; all by default")
 		.RequireOneOf(GetLintPlatforms());
 	Verb.Add("--entry", Options->Entry, "Check only this entry point; all by default").SetType("NAME");
+	Verb.Add("--engine-minor", Options->EngineMinor, "Report the engine's names that engine 5.X does not have")
+		.SetType("X")
+		.RequireRange(1, 99);
 	AddVariables(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
 	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");

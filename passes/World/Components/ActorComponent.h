@@ -12,7 +12,7 @@ class AActor;
 class DRYDOCK_API UActorComponent : public UObject
 {
 public:
-	using Super = UActorComponent;
+	DRYDOCK_CLASS(UActorComponent, UObject)
 	using UObject::UObject;
 
 	FActorComponentTickFunction PrimaryComponentTick;

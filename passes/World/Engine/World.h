@@ -14,7 +14,7 @@ class FSceneInterface;
 class DRYDOCK_API UGameInstance : public UObject
 {
 public:
-	using Super = UGameInstance;
+	DRYDOCK_CLASS(UGameInstance, UObject)
 	using UObject::UObject;
 
 	UWorld* GetWorld() const override;
@@ -33,6 +33,14 @@ public:
 };
 
 class UGameViewportClient;
+
+/** How the engine names and places an actor; only its class and place matter here. */
+struct FActorSpawnParameters
+{
+	FName Name;
+	AActor* Owner = nullptr;
+	uint32 ObjectFlags = 0;
+};
 
 class DRYDOCK_API UWorld : public UObject
 {
@@ -77,6 +85,19 @@ public:
 	}
 
 	/** A new actor, which the world owns, after BeginPlay of its components and of itself. */
+	template<typename T>
+	T* SpawnActor(const FVector& Location, const FRotator& Rotation = FRotator(0.0, 0.0, 0.0),
+		const FActorSpawnParameters& = FActorSpawnParameters())
+	{
+		T* const Actor = SpawnActor<T>();
+		Actor->SetActorLocationAndRotation(Location, Rotation);
+		return Actor;
+	}
+	template<typename T>
+	T* SpawnActor(const FActorSpawnParameters&)
+	{
+		return SpawnActor<T>();
+	}
 	template<typename T>
 	T* SpawnActor()
 	{

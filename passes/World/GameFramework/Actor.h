@@ -10,7 +10,7 @@
 class DRYDOCK_API AActor : public UObject
 {
 public:
-	using Super = AActor;
+	DRYDOCK_CLASS(AActor, UObject)
 	using UObject::UObject;
 
 	FActorTickFunction PrimaryActorTick;
@@ -44,6 +44,26 @@ public:
 	{
 		return RootComponent ? RootComponent->GetComponentLocation() : FVector(0.0, 0.0, 0.0);
 	}
+	/** False without a root component. */
+	bool SetActorLocationAndRotation(const FVector& Location, const FRotator& Rotation)
+	{
+		if (RootComponent)
+		{
+			RootComponent->SetWorldLocation(Location);
+			RootComponent->SetWorldRotation(Rotation);
+		}
+		return RootComponent.Get() != nullptr;
+	}
+	bool SetActorLocation(const FVector& Location) { return SetActorLocationAndRotation(Location, GetActorRotation()); }
+	bool SetActorRotation(const FRotator& Rotation)
+	{
+		return SetActorLocationAndRotation(GetActorLocation(), Rotation);
+	}
+	FRotator GetActorRotation() const
+	{
+		return RootComponent ? RootComponent->GetComponentRotation() : FRotator(0.0, 0.0, 0.0);
+	}
+	FVector GetActorForwardVector() const { return GetActorRotation().Vector(); }
 	void SetActorTickEnabled(bool bEnabled) { PrimaryActorTick.SetTickFunctionEnable(bEnabled); }
 
 	/** A part of this actor; a component begins to play with it. */

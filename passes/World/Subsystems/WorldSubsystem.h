@@ -9,7 +9,7 @@
 class DRYDOCK_API UWorldSubsystem : public USubsystem
 {
 public:
-	using Super = UWorldSubsystem;
+	DRYDOCK_CLASS(UWorldSubsystem, USubsystem)
 	using USubsystem::USubsystem;
 
 	static constexpr Drydock::ESubsystemKind SubsystemKind = Drydock::ESubsystemKind::World;
@@ -33,7 +33,7 @@ protected:
 class DRYDOCK_API UTickableWorldSubsystem : public UWorldSubsystem
 {
 public:
-	using Super = UTickableWorldSubsystem;
+	DRYDOCK_CLASS(UTickableWorldSubsystem, UWorldSubsystem)
 	using UWorldSubsystem::UWorldSubsystem;
 
 	virtual void Tick(float) {}

@@ -222,6 +222,18 @@ private:
 	bool bInsideRenderPass = false;
 };
 
+/** How far the engine flushes: there is nothing to wait for here. */
+namespace EImmediateFlushType
+{
+enum Type
+{
+	WaitForOutstandingTasksOnly,
+	DispatchToRHIThread,
+	FlushRHIThread,
+	FlushRHIThreadFlushResources,
+};
+} // namespace EImmediateFlushType
+
 class DRYDOCK_API FRHICommandListImmediate : public FRHICommandList
 {
 public:
@@ -235,7 +247,7 @@ public:
 	 * floats and the flags say LinearToGamma. */
 	void ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags);
 
-	void ImmediateFlush(int32 = 0) {}
+	void ImmediateFlush(EImmediateFlushType::Type = EImmediateFlushType::FlushRHIThread) {}
 	void BlockUntilGPUIdle() {}
 	void SubmitAndBlockUntilGPUIdle() {}
 };
@@ -252,11 +264,16 @@ inline FRHICommandListImmediate& GetImmediateCommandList_ForRenderCommand()
 	return FRHICommandListExecutor::GetImmediateCommandList();
 }
 
-DRYDOCK_API FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc);
+DRYDOCK_API_RHICreateTexture DRYDOCK_API FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc);
 DRYDOCK_API FBufferRHIRef RHICreateBuffer(
 	uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 DRYDOCK_API FBufferRHIRef RHICreateVertexBuffer(
 	uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+inline FBufferRHIRef RHICreateIndexBuffer(
+	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
+{
+	return FRHICommandListExecutor::GetImmediateCommandList().CreateIndexBuffer(Stride, Size, Usage, Info);
+}
 DRYDOCK_API FBufferRHIRef RHICreateStructuredBuffer(
 	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
 DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);

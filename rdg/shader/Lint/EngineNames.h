@@ -35,7 +35,11 @@ struct FNotInEngine
 	std::string What; // the name, where it is defined, and what the engine has
 };
 
-/** The includes and names of drydock's own in those files of a flattened text that drydock does not ship. */
+/** The engine 5.X that names must be of; 0, as at first: any. Not for several threads. */
+DRYDOCK_API void SetLintEngine(int Minor);
+
+/** The includes and names of drydock's own in those files of a flattened text that drydock does not ship; and the
+ * engine's names that the version of SetLintEngine does not have. */
 std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCompileRequest& Request);
 
 } // namespace Drydock

@@ -3,6 +3,7 @@
 
 #include "ExtensionFactory.h"
 #include "Extensions/EngineHooks.h"
+#include "Patch/EngineApi.h"
 
 #include <algorithm>
 #include <vector>
@@ -105,6 +106,20 @@ std::string MakeVersionTable()
 			}
 			Table += "\n";
 		}
+	}
+	for (const FEngineApiRow& Row : GetEngineApi())
+	{
+		const std::string Kind = Row.Kind;
+		Table += "| name `" + std::string(Row.Name) + "`" +
+				 (std::string(Row.Certainty) == "Uncertain" ? " (uncertain)" : "") +
+				 (Kind == "deprecated" ? ": use `" + std::string(Row.Instead) + "`" : "") + " |";
+		for (const FEngineProfile& Profile : GetEngineProfiles())
+		{
+			const bool bBefore = Profile.Minor < Row.Minor;
+			const bool bThere = Kind == "from" ? !bBefore : Profile.Minor <= Row.Minor;
+			Table += Kind == "deprecated" ? (bBefore ? " yes |" : " deprecated |") : bThere ? " yes |" : " |";
+		}
+		Table += "\n";
 	}
 	return Table;
 }

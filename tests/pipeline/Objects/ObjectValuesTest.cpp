@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 using namespace Drydock;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -110,6 +111,30 @@ TEST_F(ObjectValues, TheConfigsObjectsComeAfterTheIniFiles)
 	ExpectPicture(Result, {1.0 * 2.0 * 3.0, 1.0 * 3.0, 0.0}, {0.25, 0.25 + 16.0, 3.0});
 	// Nothing of it stays.
 	ExpectPicture(RunConfig(MakeOptions("")), {0.5 * 2.0, 2.0 * 4.0, 0.0}, {0.5, 0.5, 0.375 + 1.0});
+}
+
+// Code 188 is 0.737255, and ((0.737255 + 0.055) / 1.055)^2.4 = 0.502886; an EXR's values are linear.
+TEST_F(ObjectValues, ATexturePropertyIsGivenAPicture)
+{
+	const Files::path Png = Scene.string() + ".mask.png", Exr = Scene.string() + ".mask.exr";
+	WritePng(Png.string(), FImage{1, 1, 3, {188 / 255.0, 1, 0}});
+	WriteExr(Exr.string(), FImage{1, 1, 1, {0.25}}, {"Y"});
+	const auto Give = [&](const Files::path& Picture)
+	{
+		return RunConfig(MakeOptions(R"(, "objects": {"UTunedSettings": {"Mode": "Off", "Label": "", "Mask": ")" +
+									 Picture.filename().string() + R"("}})"));
+	};
+	ExpectPicture(Give(Png), {0.502886, 1, 0}, {0.5, 0.5, 0.375});
+	ExpectPicture(Give(Exr), {0.25, 0.25, 0.25}, {0.5, 0.5, 0.375});
+	// Nothing of it stays.
+	ExpectPicture(RunConfig(MakeOptions(R"(, "objects": {"UTunedSettings": {"Mode": "Off", "Label": ""}})")), {1, 1, 1},
+		{0.5, 0.5, 0.375});
+	Files::remove(Png);
+	Files::remove(Exr);
+	EXPECT_THAT(GetErrors(R"(, "objects": {"UTunedSettings": {"Mask": "nowhere.png"}})"),
+		ElementsAre(AllOf(HasSubstr("/objects/UTunedSettings/Mask"), HasSubstr("nowhere.png"))));
+	EXPECT_THAT(GetErrors(R"(, "objects": {"UTunedSettings": {"Mask": "/Game/A.A"}})"),
+		ElementsAre(AllOf(HasSubstr("2122"), HasSubstr("the name of a picture file"))));
 }
 
 TEST_F(ObjectValues, ClassesMayBeNamedWithoutTheirPrefixAndByPath)

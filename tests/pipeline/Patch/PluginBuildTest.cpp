@@ -194,6 +194,36 @@ TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
 											   testing::HasSubstr("composition graph"))));
 }
 
+// Held to a version, a plugin is refused what that engine does not have.
+TEST_F(PluginBuild, NamesOfOtherVersionsAreRefusedWhereAVersionIsNamed)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", R"(#include "Misc/CoreDelegates.h"
+#include "SceneViewExtension.h"
+struct FTint : FSceneViewExtensionBase
+{
+	FTint(const FAutoRegister& Register) : FSceneViewExtensionBase(Register) {}
+	virtual ESceneViewExtensionFlags GetFlags() const override { return ESceneViewExtensionFlags::None; }
+};
+void Tint()
+{
+	FSceneViewExtensions::NewExtension<FTint>();
+	FCoreDelegates::OnPostEngineInit.Clear();
+}
+)");
+	FPluginBuild Build = Describe();
+	Build.EngineMinor = 4;
+	Build.EngineNames = 2;
+	EXPECT_THAT(Refuse(Build).second,
+		testing::HasSubstr("engine 5.4 does not have ISceneViewExtension::GetFlags, which is there from 5.7 on"));
+	Build.EngineNames = 0;
+	EXPECT_THAT(BuildPlugin(Build).Notes, testing::Each(testing::Not(testing::HasSubstr("engine 5."))));
+	Build.EngineMinor = 8;
+	Build.EngineNames = 2;
+	EXPECT_THAT(BuildPlugin(Build).Notes,
+		testing::Contains(testing::HasSubstr("Tint.cpp:11: engine 5.8 deprecates FCoreDelegates::OnPostEngineInit: use "
+											 "FCoreDelegates::GetOnPostEngineInit()")));
+}
+
 TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)
 {
 	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "\n");

@@ -11,6 +11,7 @@
 #include <typeinfo>
 #include <vector>
 
+class UClass;
 class UObject;
 class UWorld;
 
@@ -21,7 +22,22 @@ namespace Drydock
  * PostInitProperties. Type: the class. */
 DRYDOCK_API void FinishNewObject(UObject& Object, const std::type_info& Type);
 
+/** Ours: the one UClass of a type; what it does is set anew, as plugins come and go. */
+DRYDOCK_API UClass* FindOrAddClass(
+	const std::type_info& Type, const TCHAR* Name, UClass* Super, UObject* (*Make)(), UObject* (*Default)());
+/** UObject/Class.h */
+template<typename T>
+UClass* FindClass(const TCHAR* Name, UClass* Super);
+
 } // namespace Drydock
+
+/** Ours: what the header tool writes into a class of the engine. */
+#define DRYDOCK_CLASS(Class, Base) \
+	using Super = Class; \
+	static UClass* StaticClass() \
+	{ \
+		return ::Drydock::FindClass<Class>(TEXT(#Class), Base::StaticClass()); \
+	}
 
 /** A property and how it was changed, in the engine's editor. */
 class FProperty
@@ -56,6 +72,15 @@ public:
 	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this
 	// one; generated headers (drydock_add_plugin) write it as the header tool does.
 	using Super = UObject;
+	static UClass* StaticClass();
+	/** The object's own class, once its StaticClass was called or a generated header named it; else UObject's. */
+	UClass* GetClass() const;
+	bool IsA(const UClass* Class) const;
+	template<typename T>
+	bool IsA() const
+	{
+		return dynamic_cast<const T*>(this) != nullptr;
+	}
 
 	UObject() = default;
 	explicit UObject(const FObjectInitializer&) {}
@@ -136,6 +161,8 @@ namespace Drydock
 
 /** Says, once for each path, that no asset is loaded. */
 DRYDOCK_API void WarnOfMissingAsset(const TCHAR* Path);
+/** Says once for each name what a call of it does here, where that is not what the engine does. */
+DRYDOCK_API void SayNeutral(const TCHAR* Name, const TCHAR* What);
 
 } // namespace Drydock
 
@@ -184,7 +211,7 @@ private:
 class DRYDOCK_API UInterface : public UObject
 {
 public:
-	using Super = UInterface;
+	DRYDOCK_CLASS(UInterface, UObject)
 	using UObject::UObject;
 };
 
@@ -301,3 +328,5 @@ public:
 private:
 	FSoftObjectPath Path;
 };
+
+#include "UObject/Class.h"

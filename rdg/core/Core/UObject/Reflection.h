@@ -16,6 +16,9 @@
 #include <typeinfo>
 #include <vector>
 
+class UTexture;
+class UTexture2D;
+
 namespace Drydock
 {
 
@@ -57,6 +60,10 @@ struct FPropertyType
 	// Text
 	std::string (*GetText)(const void* Address) = nullptr;
 	void (*SetText)(void* Address, const std::string& Text) = nullptr;
+
+	// Object, where it points to a UTexture or a UTexture2D: a config gives it a picture
+	void* (*GetObject)(const void* Address) = nullptr;
+	void (*SetObject)(void* Address, void* Texture) = nullptr;
 
 	// Enum, Struct: whose names are registered under it
 	const std::type_info* Type = nullptr;
@@ -256,26 +263,57 @@ struct TArrayElementOf<TArray<T, Allocator>>
 	using Type = T;
 };
 
+/** The class that a pointer points to; void for all other types. */
 template<typename T>
-struct TIsObjectPointer : std::is_pointer<T>
+struct TPointee
 {
+	using Type = void;
 };
 template<typename T>
-struct TIsObjectPointer<TObjectPtr<T>> : std::true_type
+struct TPointee<T*>
 {
+	using Type = T;
 };
 template<typename T>
-struct TIsObjectPointer<TWeakObjectPtr<T>> : std::true_type
+struct TPointee<TObjectPtr<T>>
 {
+	using Type = T;
 };
 template<typename T>
-struct TIsObjectPointer<TSoftObjectPtr<T>> : std::true_type
+struct TPointee<TSoftObjectPtr<T>>
 {
+	using Type = T;
+};
+template<typename T>
+struct TPointee<TWeakObjectPtr<T>>
+{
+	using Type = UObject;
 };
 template<>
-struct TIsObjectPointer<FSoftObjectPath> : std::true_type
+struct TPointee<FSoftObjectPath>
 {
+	using Type = UObject;
 };
+
+template<typename T>
+FPropertyType MakeObjectType()
+{
+	using FPointee = typename TPointee<T>::Type;
+	FPropertyType Type;
+	Type.Kind = EPropertyKind::Object;
+	if constexpr (std::is_same_v<FPointee, UTexture> || std::is_same_v<FPointee, UTexture2D>)
+	{
+		Type.GetObject = [](const void* Address) -> void*
+		{
+			return static_cast<FPointee*>(*static_cast<const T*>(Address));
+		};
+		Type.SetObject = [](void* Address, void* Texture)
+		{
+			*static_cast<T*>(Address) = T(static_cast<FPointee*>(Texture));
+		};
+	}
+	return Type;
+}
 
 template<typename T>
 void SetWholeRange(FPropertyType& Type)
@@ -412,9 +450,9 @@ FPropertyType MakePropertyType()
 	{
 		Type = MakeArrayType<T>();
 	}
-	else if constexpr (TIsObjectPointer<T>::value)
+	else if constexpr (!std::is_void_v<typename TPointee<T>::Type>)
 	{
-		Type.Kind = EPropertyKind::Object;
+		Type = MakeObjectType<T>();
 	}
 	else if constexpr (std::is_class_v<T>)
 	{
