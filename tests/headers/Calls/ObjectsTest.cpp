@@ -95,7 +95,7 @@ public:
 	}
 	void BeginPlay() override
 	{
-		Super::BeginPlay();
+		AActor::BeginPlay();
 		bPlays = true;
 	}
 

@@ -324,6 +324,6 @@ TEST(CallsOfRHI, CommandsAndRenderThread)
 	CALL("FRHICommandListImmediate::ImmediateFlush, BlockUntilGPUIdle",
 		(RHICmdList.ImmediateFlush(EImmediateFlushType::FlushRHIThread), RHICmdList.BlockUntilGPUIdle(), true));
 	CALL("GFrameNumber, GFrameNumberRenderThread, GFrameCounter",
-		GFrameNumber >= 0u && GFrameNumberRenderThread >= 0u && GFrameCounter >= 0u);
+		GFrameNumber == GFrameNumberRenderThread && GFrameCounter == GFrameNumber);
 	CALL("GSupportsEfficientAsyncCompute", !GSupportsEfficientAsyncCompute);
 }
