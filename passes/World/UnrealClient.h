@@ -1,4 +1,4 @@
-// Declares the render target interface. Source: engine file UnrealClient.h.
+// Declares the render target interface and the window that a frame is drawn for. Source: engine file UnrealClient.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -21,4 +21,20 @@ public:
 		FIntRect Rect = FIntRect()) const;
 	bool ReadLinearColorPixels(TArray<FLinearColor>& OutImageData,
 		FReadSurfaceDataFlags Flags = FReadSurfaceDataFlags(RCM_MinMax), FIntRect Rect = FIntRect()) const;
+};
+
+/** The frame's target, as an extension's context shows it: there is no window behind it. */
+class FViewport : public FRenderTarget
+{
+public:
+	/** Target must outlive it. */
+	explicit FViewport(const FRenderTarget& InTarget)
+		: Target(InTarget)
+	{
+	}
+	const FTextureRHIRef& GetRenderTargetTexture() const override { return Target.GetRenderTargetTexture(); }
+	FIntPoint GetSizeXY() const override { return Target.GetSizeXY(); }
+
+private:
+	const FRenderTarget& Target;
 };

@@ -9,6 +9,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "RangeTools.h"
 #include "TextTools.h"
+#include "UnrealClient.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -90,7 +91,10 @@ FViewExtensionFrame::FViewExtensionFrame(const FEngineProfile& InEngine, FHookLo
 
 void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins)
 {
-	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(FSceneViewExtensionContext(Family.Scene));
+	FSceneViewExtensionContext Context(Family.Scene);
+	FViewport Viewport(*Family.RenderTarget);
+	Context.Viewport = &Viewport;
+	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(Context);
 	Family.ViewExtensions.RemoveAll(
 		[&](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension)
 		{

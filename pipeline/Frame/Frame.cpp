@@ -182,7 +182,7 @@ private:
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
 		GFrameNumber = GFrameNumberRenderThread = Inputs.FrameNumber;
-		GFrameCounter = Inputs.FrameNumber;
+		GFrameCounter = GFrameCounterRenderThread = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
 		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
 		FApp::UpdateLastTime();

@@ -41,3 +41,4 @@ inline constexpr bool GIsClient = true;
 extern DRYDOCK_API uint32 GFrameNumber;
 extern DRYDOCK_API uint32 GFrameNumberRenderThread;
 extern DRYDOCK_API uint64 GFrameCounter;
+extern DRYDOCK_API uint64 GFrameCounterRenderThread;

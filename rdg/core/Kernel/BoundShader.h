@@ -89,6 +89,7 @@ struct DRYDOCK_API FBoundShader
 	int32_t PermutationId = 0;
 	FShader* Permutation = nullptr;   // what was bound
 	uint64_t Number = GetNewNumber(); // of this binding
+	std::vector<std::string> Unset;   // what it reads and nobody has set yet, if parameters are set one by one
 
 	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
 	std::vector<const uint8_t*> ConstantBuffers;

@@ -91,9 +91,10 @@ FIntRect GetCopiedRect(const FRHITexture& Source, const FRHICopyTextureInfo& Inf
 
 } // namespace
 
-void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
+void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader* Shader)
 {
 	BoundCompute = Drydock::FBoundShader();
+	ComputeShader = Shader;
 }
 
 void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shader)
@@ -104,6 +105,7 @@ void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shade
 void FRHIComputeCommandList::DispatchComputeShader(
 	uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
 {
+	Drydock::BindIfNothingIs(BoundCompute, ComputeShader);
 	checkf(BoundCompute.IsValid(), TEXT("DispatchComputeShader without a shader: call SetShaderParameters first"));
 	checkf(BoundCompute.GetReflection().Stage == Drydock::EShaderStage::Compute,
 		TEXT("DispatchComputeShader: %s is not a compute shader"), BoundCompute.Name.c_str());
@@ -140,6 +142,7 @@ void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentB
 void FRHIComputeCommandList::RunTiles(
 	const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const FKernelTile& Whole, FIntVector TileSize)
 {
+	Drydock::RequireAllSet(Shader);
 	// Behind an early return, as every compute shader has one, only who runs the shader knows how many threads tap.
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && !Shader.Native;

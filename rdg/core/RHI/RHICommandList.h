@@ -114,6 +114,9 @@ public:
 	void EndUAVOverlap() {}
 	void SubmitCommandsHint() {}
 
+	/** What is bound to that stage: ours. */
+	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
+
 protected:
 	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. */
 	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
@@ -123,12 +126,22 @@ private:
 	void NoteCleared(const FRHIUnorderedAccessView* View);
 
 	Drydock::FBoundShader BoundCompute;
+	FRHIComputeShader* ComputeShader = nullptr;
 };
 
 /** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
 class FRHIBatchedShaderParameters
 {
 public:
+	FRHIBatchedShaderParameters() = default;
+	FRHIBatchedShaderParameters(FRHIBatchedShaderParameters&&) = default;
+	FRHIBatchedShaderParameters& operator=(FRHIBatchedShaderParameters&&) = default;
+	/** Copies only what holds no parameters yet (checked), as plugins copy the scratch parameters of a list. */
+	FRHIBatchedShaderParameters(const FRHIBatchedShaderParameters& Other)
+	{
+		checkf(!Other.HasParameters(), TEXT("a copy of batched parameters that are set already"));
+	}
+
 	bool HasParameters() const { return Bound.IsValid(); }
 	void Reset() { Bound = Drydock::FBoundShader(); }
 
@@ -156,6 +169,10 @@ public:
 
 	/** The same of the pipeline state's vertex shader. */
 	void SetBoundVertexShader(Drydock::FBoundShader&& Shader) { Vertices.Bound = std::move(Shader); }
+
+	using FRHIComputeCommandList::GetBound;
+	Drydock::FBoundShader& GetBound(FRHIPixelShader*) { return BoundPixel; }
+	Drydock::FBoundShader& GetBound(FRHIVertexShader*) { return Vertices.Bound; }
 
 	/** Empty; the list's own, for one shader at a time. */
 	FRHIBatchedShaderParameters& GetScratchShaderParameters();
@@ -203,7 +220,7 @@ private:
 	void DrawViewport(uint32 NumInstances);
 	void DrawRect(const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances);
 	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
-	void CheckDraw() const;
+	void CheckDraw();
 	std::vector<Drydock::FKernelTarget> MakeTargets() const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;

@@ -98,9 +98,10 @@ std::vector<Drydock::FKernelInterpolant> FRHICommandList::MakeInterpolants(int32
 	return Result;
 }
 
-void FRHICommandList::CheckDraw() const
+void FRHICommandList::CheckDraw()
 {
 	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
+	Drydock::BindIfNothingIs(BoundPixel, PixelShader);
 	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
 	checkf(BoundPixel.GetReflection().Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"),
 		BoundPixel.Name.c_str());
@@ -205,10 +206,8 @@ void FRHICommandList::DrawScreenRectangle(const void* Parameters, uint32 NumByte
 		}
 		return;
 	}
-	if (!Vertices.Bound.IsValid())
-	{
-		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
-	}
+	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
+	Drydock::RequireAllSet(Vertices.Bound);
 	const std::vector<Drydock::FShaderConstantBuffer>& Buffers = Vertices.Bound.GetReflection().ConstantBuffers;
 	for (size_t Buffer = 0; Buffer < Buffers.size(); ++Buffer)
 	{
@@ -232,10 +231,8 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 		return;
 	}
 	CheckDraw();
-	if (!Vertices.Bound.IsValid())
-	{
-		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
-	}
+	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
+	Drydock::RequireAllSet(Vertices.Bound);
 	Vertices.CheckInput(Draw);
 	const int32 NumTexCoords = BoundPixel.GetReflection().NumInterpolants;
 	Vertices.CheckTexCoords(NumTexCoords, BoundPixel.Name);

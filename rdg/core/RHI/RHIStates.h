@@ -243,14 +243,18 @@ DRYDOCK_API FVertexDeclarationRHIRef RHICreateVertexDeclaration(const FVertexDec
 class DRYDOCK_API FRHIShader : public FRHIResource
 {
 public:
-	explicit FRHIShader(EShaderFrequency InFrequency)
+	explicit FRHIShader(EShaderFrequency InFrequency, FShader* InPermutation = nullptr)
 		: Frequency(InFrequency)
+		, Permutation(InPermutation)
 	{
 	}
 	EShaderFrequency GetFrequency() const { return Frequency; }
+	/** The shader whose handle this is. */
+	FShader* GetPermutation() const { return Permutation; }
 
 private:
 	EShaderFrequency Frequency;
+	FShader* Permutation;
 };
 
 class DRYDOCK_API FRHIGraphicsShader : public FRHIShader
@@ -264,7 +268,7 @@ class DRYDOCK_API FRHIVertexShader : public FRHIGraphicsShader
 public:
 	/** ShaderToRun: null for the engine's rectangle of screen passes, which draws know without running it. */
 	explicit FRHIVertexShader(FShader* InShaderToRun = nullptr)
-		: FRHIGraphicsShader(SF_Vertex)
+		: FRHIGraphicsShader(SF_Vertex, InShaderToRun)
 		, ShaderToRun(InShaderToRun)
 	{
 	}
@@ -277,8 +281,8 @@ private:
 class DRYDOCK_API FRHIPixelShader : public FRHIGraphicsShader
 {
 public:
-	FRHIPixelShader()
-		: FRHIGraphicsShader(SF_Pixel)
+	explicit FRHIPixelShader(FShader* InPermutation = nullptr)
+		: FRHIGraphicsShader(SF_Pixel, InPermutation)
 	{
 	}
 };
@@ -295,8 +299,8 @@ public:
 class DRYDOCK_API FRHIComputeShader : public FRHIShader
 {
 public:
-	FRHIComputeShader()
-		: FRHIShader(SF_Compute)
+	explicit FRHIComputeShader(FShader* InPermutation = nullptr)
+		: FRHIShader(SF_Compute, InPermutation)
 	{
 	}
 };

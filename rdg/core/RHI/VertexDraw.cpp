@@ -16,7 +16,7 @@ namespace Drydock
 namespace
 {
 
-std::atomic<FVertexShaderBinder> GBinder{nullptr};
+std::atomic<FShaderBinder> GBinder{nullptr};
 
 [[noreturn]] void ThrowInput(const std::string& Message)
 {
@@ -116,16 +116,27 @@ FDiagnostic MakeVertexDiagnostic(ESeverity Severity, EVertexError Code, const st
 	return Diagnostic;
 }
 
-void SetVertexShaderBinder(FVertexShaderBinder Binder)
+void SetShaderBinder(FShaderBinder Binder)
 {
 	GBinder = Binder;
 }
 
-FBoundShader BindVertexShader(FShader& Shader)
+void BindIfNothingIs(FBoundShader& Bound, const FRHIShader* Shader)
 {
-	const FVertexShaderBinder Binder = GBinder;
-	checkf(Binder, TEXT("nothing binds vertex shaders"));
-	return Binder(Shader);
+	const FShaderBinder Binder = GBinder;
+	if (!Bound.IsValid() && Shader && Shader->GetPermutation() && Binder)
+	{
+		Bound = Binder(*Shader->GetPermutation());
+	}
+}
+
+void RequireAllSet(const FBoundShader& Bound)
+{
+	if (!Bound.Unset.empty())
+	{
+		ThrowInput("shader " + Bound.Name + " reads '" + Bound.Unset.front() +
+				   "', which nobody has set: set it after the pipeline state and before the draw or dispatch");
+	}
 }
 
 void FVertexState::SetPipeline(const FGraphicsPipelineStateInitializer& Initializer)

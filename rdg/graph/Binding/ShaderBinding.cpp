@@ -222,6 +222,28 @@ void RequireShaderParameters(
 	}
 }
 
+FBoundShader BindToBeSet(FShader& Shader)
+{
+	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(FShaderRef(&Shader));
+	const FShaderReflection& Reflection = Compiled->Reflection;
+	FBoundShader Bound;
+	Bound.Name = Shader.GetType()->GetName();
+	Bound.EntryPoint = Shader.GetType()->GetFunctionName();
+	Bound.PermutationId = Shader.GetPermutationId();
+	Bound.Permutation = &Shader;
+	Bound.bDouble = GetShaderLaneConfig().bDouble;
+	Bound.Kernel = Compiled->Run;
+	Bound.Vertex = Compiled->Vertex;
+	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Reflection);
+	MakeConstantBuffers(Reflection, Bound);
+	Bound.Textures.resize(Reflection.Textures.size());
+	Bound.RWTextures.resize(Reflection.RWTextures.size());
+	Bound.Samplers.resize(Reflection.Samplers.size());
+	Bound.Buffers.resize(Reflection.Buffers.size());
+	Bound.RWBuffers.resize(Reflection.RWBuffers.size());
+	return Bound;
+}
+
 namespace
 {
 
@@ -246,29 +268,24 @@ std::string FindParameter(const FShaderReflection& Reflection)
 	return {};
 }
 
-FBoundShader BindVertexShaderWithoutParameters(FShader& Shader)
+FBoundShader BindWithoutParameters(FShader& Shader)
 {
-	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(FShaderRef(&Shader));
-	const FShaderType& Type = *Shader.GetType();
-	if (const std::string Parameter = FindParameter(Compiled->Reflection); !Parameter.empty())
+	FBoundShader Bound = BindToBeSet(Shader);
+	if (const std::string Parameter = FindParameter(Bound.GetReflection()); !Parameter.empty())
 	{
+		const char* const Kinds[] = {"vertex", "pixel", "compute"};
+		const int Kind = Shader.GetFrequency() == SF_Vertex ? 0 : Shader.GetFrequency() == SF_Pixel ? 1 : 2;
 		throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexInput,
-						 std::string("vertex shader ") + Type.GetName() + " reads '" + Parameter +
+						 std::string(Kinds[Kind]) + " shader " + Bound.Name + " reads '" + Parameter +
 							 "', and its parameters were not set: call SetShaderParameters for it, after the pipeline "
-							 "state and before the draw"),
+							 "state and before the " +
+							 (Kind == 2 ? "dispatch" : "draw")),
 			ExitUsage);
 	}
-	FBoundShader Bound;
-	Bound.Name = Type.GetName();
-	Bound.EntryPoint = Type.GetFunctionName();
-	Bound.PermutationId = Shader.GetPermutationId();
-	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
-	Bound.Vertex = Compiled->Vertex;
-	MakeConstantBuffers(Compiled->Reflection, Bound);
 	return Bound;
 }
 
-[[maybe_unused]] const bool GBinderIsSet = (SetVertexShaderBinder(&BindVertexShaderWithoutParameters), true);
+[[maybe_unused]] const bool GBinderIsSet = (SetShaderBinder(&BindWithoutParameters), true);
 
 } // namespace
 

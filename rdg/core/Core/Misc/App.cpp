@@ -11,6 +11,7 @@
 uint32 GFrameNumber = 0;
 uint32 GFrameNumberRenderThread = 0;
 uint64 GFrameCounter = 0;
+uint64 GFrameCounterRenderThread = 0;
 
 double FApp::CurrentTime = 0.0;
 double FApp::LastTime = 0.0;

@@ -4,6 +4,7 @@
 
 #include "Logging/LogMacros.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <set>
@@ -44,6 +45,12 @@ UClass* Drydock::FindOrAddClass(
 	Class->Make = Make;
 	Class->Default = Default;
 	return Class;
+}
+
+uint32 UObject::MakeUniqueID()
+{
+	static std::atomic<uint32> Last{0};
+	return ++Last;
 }
 
 UClass* UObject::StaticClass()

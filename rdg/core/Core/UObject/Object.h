@@ -92,6 +92,8 @@ public:
 	virtual void BeginDestroy() {}
 	/** Never called: nothing is edited. */
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
+	/** Two objects that live at one time have two numbers. */
+	uint32 GetUniqueID() const { return UniqueID; }
 	/** Null for an object that was made without one. */
 	UObject* GetOuter() const { return Outer; }
 	/** Ours: called by NewObject. */
@@ -114,7 +116,10 @@ public:
 	void SetFName(FName InName) { Name = InName; }
 
 private:
+	static uint32 MakeUniqueID();
+
 	FName Name;
+	uint32 UniqueID = MakeUniqueID();
 	UObject* Outer = nullptr;
 	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
@@ -123,6 +128,12 @@ template<typename T>
 T* FObjectInitializer::CreateDefaultSubobject(UObject* Owner, FName Name) const
 {
 	return Owner->CreateDefaultSubobject<T>(Name);
+}
+
+/** "None" for null. */
+inline FString GetNameSafe(const UObject* Object)
+{
+	return Object ? Object->GetName() : FString(TEXT("None"));
 }
 
 inline bool IsValid(const UObjectBase* Object)
