@@ -2,6 +2,8 @@
 // corners.
 #include "CommonRenderResources.h"
 
+#include "RenderUtils.h"
+
 #include <cstddef>
 #include <cstring>
 #include <iterator>

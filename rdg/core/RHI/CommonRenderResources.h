@@ -34,11 +34,6 @@ DRYDOCK_API FRHIBuffer* GetTwoTrianglesIndexBuffer();
 
 } // namespace Drydock
 
-/** ATTRIBUTE0: so many floats. Source: engine file RenderUtils.h. */
-DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector2();
-DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector3();
-DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector4();
-
 /** ATTRIBUTE0: position, four floats; ATTRIBUTE1: UV, two floats; as FFilterVertex. */
 class FFilterVertexDeclaration : public FRenderResource
 {

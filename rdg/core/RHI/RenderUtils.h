@@ -9,3 +9,8 @@ inline bool IsPostProcessingWithAlphaChannelSupported()
 {
 	return true;
 }
+
+/** ATTRIBUTE0: so many floats. */
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector2();
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector3();
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector4();
