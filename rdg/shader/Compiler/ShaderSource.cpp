@@ -63,6 +63,7 @@ private:
 	const std::string* FindFile(const std::string& Path);
 	std::pair<std::string, const std::string*> FindIncluded(const std::string& Target, const std::string& Includer);
 	std::string Fingerprint();
+	void DefineDxcMacros();
 	FShaderInclude FindInclude(const std::string& Target, const std::string& Includer, int Line);
 
 	const FShaderCompileRequest& Request;
@@ -201,10 +202,33 @@ void FFlattener::Define()
 	{
 		Preprocessor.Define(Name, Value);
 	}
+	const auto IsFxc = [](const auto& Each)
+	{
+		return Each.first == FxcRulesDefine && Each.second != "0";
+	};
+	if (std::ranges::none_of(Request.Defines, IsFxc))
+	{
+		DefineDxcMacros();
+	}
 	for (const auto& [Name, Value] : Request.Defines)
 	{
 		Preprocessor.Define(Name, Value);
 	}
+}
+
+/** What DXC defines by itself: https://github.com/microsoft/DirectXShaderCompiler/wiki/Predefined-Version-Macros */
+void FFlattener::DefineDxcMacros()
+{
+	Preprocessor.Define("__hlsl_dx_compiler", "1");
+	Preprocessor.Define("__HLSL_VERSION", "2021");
+	Preprocessor.Define("__SHADER_TARGET_MAJOR", "6");
+	Preprocessor.Define("__SHADER_TARGET_MINOR", "6");
+	Preprocessor.Define("__SHADER_STAGE_PIXEL", "0"); // the numbers of D3D12_SHADER_VERSION_TYPE
+	Preprocessor.Define("__SHADER_STAGE_VERTEX", "1");
+	Preprocessor.Define("__SHADER_STAGE_COMPUTE", "5");
+	Preprocessor.Define("__SHADER_TARGET_STAGE", Request.Stage == EShaderStage::Pixel    ? "0"
+												 : Request.Stage == EShaderStage::Vertex ? "1"
+																						 : "5");
 }
 
 FShaderSource FFlattener::RunSpirv()

@@ -26,6 +26,7 @@ struct FPosition
 	uint32_t Order = 0;
 	int NumLoops = 0;
 	int NumSwitches = 0;
+	bool bSwitch = false;                // what stands around it next is a switch, not a loop
 	bool bBreaks = false;                // a break for the innermost loop or switch was found
 	bool bStatic = false;                // an initializer that is run before the entry
 	std::vector<FCode*>* Code = nullptr; // where temporaries are declared

@@ -208,6 +208,7 @@ uint32_t FEmitter::Call(const FValue& Node, FInstance** Called)
 	struct FBack
 	{
 		FTarget Target;
+		const FType* Type; // of the target
 		FPart Part;
 	};
 	std::vector<FBack> Back;
@@ -220,9 +221,10 @@ uint32_t FEmitter::Call(const FValue& Node, FInstance** Called)
 		if (IsEmitOut(Parameter) && CountScalars(Parameter.Type) > 0)
 		{
 			Arguments[i] = HasObject(Parameter.Type) ? Objects(Argument) : FObjects();
-			Back.push_back({Place(Argument), {Temporary(TypeOf(Parameter.Type), "param"), Parameter.Type}});
+			Back.push_back(
+				{Place(Argument), Argument.Type, {Temporary(TypeOf(Parameter.Type), "param"), Parameter.Type}});
 			Ids.push_back(Back.back().Part.Id);
-			Id = IsEmitIn(Parameter) ? Load(Back.back().Target) : 0;
+			Id = IsEmitIn(Parameter) ? ConvertOther(Load(Back.back().Target), Argument.Type, Parameter.Type) : 0;
 		}
 		else
 		{
@@ -257,7 +259,8 @@ uint32_t FEmitter::Call(const FValue& Node, FInstance** Called)
 	const uint32_t Result = LastCall;
 	for (const FBack& Each : Back)
 	{
-		Store(Each.Target, Op(OpLoad, TypeOf(Each.Part.Type), {Each.Part.Id}));
+		const uint32_t Id = Op(OpLoad, TypeOf(Each.Part.Type), {Each.Part.Id});
+		Store(Each.Target, ConvertOther(Id, Each.Part.Type, Each.Type));
 	}
 	LastCall = Result;
 	return Result;

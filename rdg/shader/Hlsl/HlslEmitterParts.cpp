@@ -299,4 +299,9 @@ uint32_t FEmitter::Convert(uint32_t Id, const FType* From, const FType* To)
 	return Build(To, Scalars);
 }
 
+uint32_t FEmitter::ConvertOther(uint32_t Id, const FType* From, const FType* To)
+{
+	return IsSame(From, To) ? Id : Convert(Id, From, To);
+}
+
 } // namespace Drydock::Hlsl

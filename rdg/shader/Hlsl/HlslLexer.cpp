@@ -230,13 +230,10 @@ void FLexer::ReadString()
 	}
 	Size = std::min(Size, Text.size() - At);
 	const bool bClosed = Peek(Size) == Quote;
-	if (Quote == '\'')
+	if (!bClosed)
 	{
-		Report(At, "X3000: syntax error: unexpected character '''; HLSL has no characters: write the number");
-	}
-	else if (!bClosed)
-	{
-		Report(At, "X3000: syntax error: expected '\"' at the end of the string");
+		Report(At, "X3000: syntax error: expected " + std::string(1, Quote) + " at the end of the " +
+					   (Quote == '\'' ? "character" : "string"));
 	}
 	Add(Quote == '\'' ? EToken::Number : EToken::String, bClosed ? Size + 1 : Size);
 }

@@ -1,4 +1,4 @@
-// Reads the numbers of a text: decimal, hexadecimal, octal and real, with HLSL's suffixes.
+// Reads the numbers of a text: decimal, hexadecimal, octal and real, with HLSL's suffixes, and characters.
 #include "HlslConstantMath.h"
 #include "HlslConstants.h"
 
@@ -67,6 +67,25 @@ std::optional<EScalar> FindIntegerSuffix(std::string_view Suffix)
 															: std::nullopt;
 }
 
+/** 'A' or '\n': the code of the character. */
+std::optional<FNumber> ReadCharacter(std::string_view Text, std::string& Error)
+{
+	constexpr std::string_view Escapes = "0abtnvfr\\'\"?";
+	constexpr std::string_view Escaped("\0\a\b\t\n\v\f\r\\'\"?", Escapes.size());
+	const std::string_view Inner = Text.substr(1, Text.size() - std::min<size_t>(Text.size(), 2));
+	if (Inner.size() == 1 && Inner[0] != '\\')
+	{
+		return FNumber{EScalar::LiteralInt, uint8_t(Inner[0])};
+	}
+	const size_t Escape = Inner.size() == 2 && Inner[0] == '\\' ? Escapes.find(Inner[1]) : std::string_view::npos;
+	if (Escape == std::string_view::npos)
+	{
+		Error = "X3000: syntax error: " + std::string(Text) + " is not one character";
+		return std::nullopt;
+	}
+	return FNumber{EScalar::LiteralInt, uint8_t(Escaped[Escape])};
+}
+
 } // namespace
 
 std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, bool bRealHalf)
@@ -77,6 +96,10 @@ std::optional<FNumber> ReadNumber(std::string_view Text, std::string& Error, boo
 	{
 		Error = "X3000: a number is expected";
 		return std::nullopt;
+	}
+	if (Text[0] == '\'')
+	{
+		return ReadCharacter(Text, Error);
 	}
 	if (Text == "1.#INF" || Text == "1.#INFf")
 	{

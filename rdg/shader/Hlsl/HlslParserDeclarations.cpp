@@ -134,7 +134,7 @@ bool FParser::ParseKeywordDeclaration(std::vector<FDeclaration*>& Out, EWhere Wh
 	}
 	else if (Is("struct") || Is("class"))
 	{
-		return ParseForwardStruct();
+		return ParseForwardStruct(Out);
 	}
 	else
 	{
@@ -168,7 +168,7 @@ void FParser::RefuseKeyword(EWhere Where)
 }
 
 /** `struct S;` says that S is a type, and is nothing else. */
-bool FParser::ParseForwardStruct()
+bool FParser::ParseForwardStruct(std::vector<FDeclaration*>& Out)
 {
 	if (!IsName(1) || !Is(";", 2))
 	{
@@ -179,6 +179,13 @@ bool FParser::ParseForwardStruct()
 	if (!FindIn(GetScope(), At().Text).IsType())
 	{
 		Declare(At().Text, {bTemplate ? EName::TypeTemplate : EName::Type});
+		if (!bTemplate)
+		{
+			FTypeName Type;
+			Type.Struct = Tree.Make<FStruct>(At().Place); // without members, until it is defined
+			Type.Struct->Name = At().Text;
+			AddTypeDeclaration(Out, Type, 0);
+		}
 	}
 	Next();
 	Next();

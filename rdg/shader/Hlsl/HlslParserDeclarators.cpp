@@ -13,10 +13,15 @@ FDeclaration* FParser::ParseDeclarator(FTypeName* Type, uint32_t Modifiers, EWhe
 	FDeclaration* Declaration = Tree.Make<FDeclaration>(At().Place);
 	Declaration->Type = Type;
 	Declaration->Modifiers = Modifiers;
-	FScope* Owner = ParseDeclaredName(*Declaration, bTemplate);
+	const bool bGap = Where == EWhere::Member && Is(":"); // bits without a name
+	FScope* Owner = bGap ? nullptr : ParseDeclaredName(*Declaration, bTemplate);
+	if (bGap)
+	{
+		Declaration->Name.Parts.emplace_back().Place = At().Place;
+	}
 	const bool bFunction = Is("(");
 	const FNamePart& Part = Declaration->Name.Parts.back();
-	if (Declaration->Name.Parts.size() == 1 && !Part.bArguments && Declaration->Operator.empty())
+	if (!bGap && Declaration->Name.Parts.size() == 1 && !Part.bArguments && Declaration->Operator.empty())
 	{
 		if (bFunction && bTemplate)
 		{
@@ -202,7 +207,7 @@ FDeclaration* FParser::ParseParameter()
 		Parameter->Name.Parts.emplace_back().Place = At().Place;
 	}
 	CheckModifiers(Parameter->Modifiers, EDeclared::Parameter, Parameter->Place);
-	ParseVariable(*Parameter, EWhere::Local);
+	ParseVariable(*Parameter, EWhere::Parameter);
 	return Parameter;
 }
 
@@ -224,7 +229,7 @@ void FParser::ParseVariable(FDeclaration& Variable, EWhere Where)
 				ParseAnnotation(Variable.Annotations);
 			}
 		}
-		else if (Is("<"))
+		else if (Is("<") && Where != EWhere::Local && Where != EWhere::Parameter)
 		{
 			SkipAnnotations();
 		}
@@ -242,7 +247,7 @@ void FParser::ParseVariable(FDeclaration& Variable, EWhere Where)
 		{
 			SkipState();
 		}
-		else if (Variable.Value == nullptr && Is("{"))
+		else if (Variable.Value == nullptr && Is("{") && Where != EWhere::Parameter)
 		{
 			Variable.bConstructed = true;
 			Variable.Value = ParseList();

@@ -236,7 +236,7 @@ private:
 	void ParseAssert(std::vector<FDeclaration*>& Out);
 	void ParseDeclarators(std::vector<FDeclaration*>& Out, EWhere Where);
 	void AddTypeDeclaration(std::vector<FDeclaration*>& Out, FTypeName& Type, uint32_t Modifiers);
-	bool ParseForwardStruct();
+	bool ParseForwardStruct(std::vector<FDeclaration*>& Out);
 	FDeclaration* ParseDeclarator(FTypeName* Type, uint32_t Modifiers, EWhere Where, bool bTemplate = false);
 	FScope* ParseDeclaredName(FDeclaration& Declaration, bool bTemplate);
 	bool IsParameterList() const;

@@ -46,6 +46,10 @@ void FAnalyser::EnterOne(const FDeclaration& Declaration, FNameScope& Scope, con
 			Outside.emplace_back(&Declaration, &Scope);
 			break;
 		}
+		if (Declaration.Name.Last().empty())
+		{
+			break; // bits without a name
+		}
 		const bool bField = Scope.Kind == EScopeKind::Struct && !(Declaration.Modifiers & ModifierStatic);
 		if (FSymbol* const Symbol =
 				Add(Scope, Declaration.Name.Last(), bField ? ESymbol::Field : ESymbol::Variable, Declaration.Place))

@@ -130,6 +130,13 @@ bool FAnalyser::AnalyseJump(const FStatement& Statement, std::vector<FCode*>& Co
 								   : "X3519: continue stands outside of a loop");
 		return true;
 	}
+	if (!bBreak && Here.bSwitch)
+	{
+		const char* const Message =
+			"X3708: continue stands in a switch, which FXC refuses; set a flag, and write continue "
+			"behind the switch";
+		Options.bFxcRules ? Error(Statement.Place, Message) : Warn(Statement.Place, Message);
+	}
 	Here.bBreaks = Here.bBreaks || bBreak;
 	Code.push_back(MakeCode(bBreak ? EStep::Break : EStep::Continue, Statement.Place));
 	return false;
@@ -207,6 +214,7 @@ bool FAnalyser::AnalyseLoop(const FStatement& Statement, FCode& Code)
 	Position.Scope = MakeScope(EScopeKind::Block, Here.Scope);
 	Position.bBreaks = false;
 	++Position.NumLoops;
+	Position.bSwitch = false;
 	const FPositionGuard Guard(*this, Position);
 	const bool bFor = Statement.Kind == EStatement::For;
 	const bool bDo = Statement.Kind == EStatement::Do;
@@ -266,6 +274,7 @@ bool FAnalyser::AnalyseSwitch(const FStatement& Statement, FCode& Code)
 	Position.Scope = MakeScope(EScopeKind::Block, Here.Scope);
 	Position.bBreaks = false;
 	++Position.NumSwitches;
+	Position.bSwitch = true;
 	const FPositionGuard Guard(*this, Position);
 	FValue* Value = Settle(Analyse(*Statement.Value));
 	const FType* Type = Types->Error();

@@ -108,6 +108,12 @@ bool FAnalyser::AddBits(const FDeclaration& Declaration, FStructInfo& Info, FStr
 	const int64_t Width = FindInteger(*Declaration.Width, "the width of " + Name).value_or(0);
 	const bool bInteger =
 		Own->IsScalar() && !Own->IsEnum() && (Own->Scalar == EScalar::Int || Own->Scalar == EScalar::Uint);
+	const bool bGap = Declaration.Name.Last().empty();
+	if (bGap && bInteger && Width == 0)
+	{
+		Info.NumBits = Most; // the next field begins an integer
+		return false;
+	}
 	if (!bInteger || Width < 1 || Width > Most)
 	{
 		Error(Declaration.Place, Name + " is of int or uint and has 1 to 32 bits");

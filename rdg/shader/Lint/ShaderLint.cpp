@@ -72,6 +72,8 @@ private:
 	void LookAtInputs(const Hlsl::FProgram& Program);
 	void LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformity& Uniformity, const FSpirvBlock& Block,
 		const FSpirvInstruction& I);
+	/** Gives the finding of a type of 16 or 64 bits the place of its first instruction. */
+	void PlaceWideType(const FSpirvModule& Module, const FSpirvInstruction& I);
 	void LookAtGroup(uint32_t X, uint32_t Y, uint32_t Z);
 	void LookAtResources(const FShaderReflection& Reflection);
 	void LookAtLayout(const FSpirvModule& Module, const FShaderReflection& Reflection);
@@ -215,7 +217,7 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 		const bool bOwn = PartialStores.count({Module.Files[I.File], I.Line}) != 0;
 		if (Image.bStorageImage && !bSingle && !bOwn)
 		{
-			AddAt("typed-uav-load", Module, I, "");
+			AddAt("typed-uav-load", Module, I, "X3676 of FXC");
 			AddAt("typed-uav-load-optional", Module, I, "");
 			const auto Variable = Images.find(I.Operands.at(0));
 			if (Image.Dim != DimBuffer && Variable != Images.end() && Stored.count(Variable->second) != 0)
@@ -234,6 +236,27 @@ void FLinter::LookAtInstruction(const FSpirvModule& Module, const FSpirvUniformi
 			 Uniformity.IsDivergentBlock(Block.Label))
 	{
 		AddAt("derivative-divergent", Module, I, "");
+	}
+}
+
+void FLinter::PlaceWideType(const FSpirvModule& Module, const FSpirvInstruction& I)
+{
+	if (!I.Type || !I.Line || Module.GetType(I.Type).NumScalars == 0)
+	{
+		return;
+	}
+	const ESpirvType Kind = Module.GetScalarKind(I.Type, 0);
+	const uint32_t Bytes = Kind == ESpirvType::Bool ? 4 : GetSpirvBytes(Kind);
+	const std::string_view Id = Bytes == 2                   ? "types-16"
+								: Kind == ESpirvType::Double ? "double"
+								: Bytes == 8                 ? "int64"
+															 : "";
+	const auto Found = std::ranges::find_if(Findings,
+		[Id](const FLintFinding& Each) { return Each.Line == 0 && Each.What.empty() && Id == Each.Rule->Id; });
+	if (Found != Findings.end())
+	{
+		Found->File = Module.Files[I.File];
+		Found->Line = I.Line;
 	}
 }
 
@@ -357,6 +380,7 @@ void FLinter::LookAtModule(const FSpirvModule& Module, const std::string& Source
 		for (const FSpirvInstruction& I : Block.Instructions)
 		{
 			LookAtInstruction(Module, Uniformity, Block, I);
+			PlaceWideType(Module, I);
 		}
 	}
 	const FShaderReflection Reflection = ReflectSpirv(Module, Structure, Source).Reflection;

@@ -340,7 +340,11 @@ private:
 		FShaderTokens Result;
 		for (size_t i = 0; i < Tokens.size(); ++i)
 		{
-			if (IsSign(Tokens[i], "##") && !Result.empty() && i + 1 < Tokens.size())
+			if (IsSign(Tokens[i], "##") && i + 1 == Tokens.size())
+			{
+				continue; // the engine's preprocessor pastes nothing at a macro's end
+			}
+			if (IsSign(Tokens[i], "##") && !Result.empty())
 			{
 				const FShaderToken Left = Result.back();
 				Result.pop_back();

@@ -1,5 +1,4 @@
-// Reads a shader line by line. Source of the directives: C, of the paths and of the rule "every file once": the
-// engine's shader preprocessor.
+// Reads a shader line by line. Source of the directives: C, of the paths: the engine's shader preprocessor.
 #include "ShaderPreprocessor.h"
 
 #include "ShaderCondition.h"
@@ -258,7 +257,7 @@ void FShaderPreprocessor::AppendInclude(const std::string& Rest)
 		return;
 	}
 	const FShaderInclude Found = FindInclude(Target, Path, Number);
-	if (!Found.Text || Seen.count(Found.Path))
+	if (!Found.Text || Once.count(Found.Path))
 	{
 		return;
 	}
@@ -359,6 +358,10 @@ void FShaderPreprocessor::AppendDirective(const std::string& Name, const std::st
 	{
 		Emit("#pragma " + Rest, Number);
 	}
+	else if (Name == "pragma" && Rest == "once")
+	{
+		Once.insert(Path);
+	}
 	else if (Name != "pragma" && Name != "warning" && Name != "line" && Name != "#")
 	{
 		Error(6002, "there is no directive #" + Name);
@@ -370,7 +373,6 @@ void FShaderPreprocessor::Append(const std::string& FilePath, const std::string&
 	const std::string Includer = Path;
 	const int IncluderNumber = Number;
 	const size_t NumConditions = Conditions.size();
-	Seen.insert(FilePath);
 	Open.push_back(FilePath);
 	Path = FilePath;
 	FLines Lines(FileText);

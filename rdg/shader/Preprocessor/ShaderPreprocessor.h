@@ -36,7 +36,7 @@ public:
 
 	void Define(const std::string& Name, const std::string& Value);
 
-	/** Appends the preprocessed text of a file. Every file is appended once, with or without #pragma once. */
+	/** Appends the preprocessed text of a file. A file with #pragma once is included once. */
 	void Append(const std::string& Path, const std::string& FileText);
 
 	/** One text without directives but `#line N "/Virtual/path"` at each seam and #pragma pack_matrix; without
@@ -71,7 +71,7 @@ private:
 	FShaderMacros Macros;
 	std::vector<FCondition> Conditions;
 	std::vector<std::string> Open; // files being read
-	std::set<std::string> Seen;
+	std::set<std::string> Once;    // files that said #pragma once
 	std::string Path;     // the file being read
 	int Number = 0;       // its line, the first of those that backslashes join
 	std::string TextPath; // where the end of Text stands

@@ -222,4 +222,40 @@ const FSpirvInstruction* FindBarrier(const FSpirvModule& Module, const FStructRe
 	return nullptr;
 }
 
+std::set<uint32_t> FindSettledReads(const FSpirvModule& Module)
+{
+	const FPointers Pointers = FindPointers(Module);
+	const auto Unsettles = [&](const FSpirvInstruction& I)
+	{
+		const FSpirvVariable* const Target = I.Op == OpStore ? FindAtomicVariable(Module, I, Pointers) : nullptr;
+		return IsSpirvAtomic(I.Op) || I.Op == OpFunctionCall || (Target && Target->Storage == StorageWorkgroup);
+	};
+	std::map<uint32_t, int> Ways; // to a block, less those that come from a settled block
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		for (const uint32_t Next : GetSuccessors(Block.Terminator()))
+		{
+			++Ways[Next];
+		}
+	}
+	std::set<uint32_t> Reads;
+	for (const FSpirvBlock& Block : Module.Blocks)
+	{
+		bool bSettled = Ways.count(Block.Label) && Ways[Block.Label] == 0;
+		for (const FSpirvInstruction& I : Block.Instructions)
+		{
+			bSettled = (bSettled || I.Op == OpControlBarrier) && !Unsettles(I);
+			if (bSettled && I.Op == OpLoad)
+			{
+				Reads.insert(I.Result);
+			}
+		}
+		for (const uint32_t Next : GetSuccessors(Block.Terminator()))
+		{
+			Ways[Next] -= bSettled;
+		}
+	}
+	return Reads;
+}
+
 } // namespace Drydock

@@ -5,6 +5,7 @@
 #include "SpirvStructure.h"
 
 #include <map>
+#include <set>
 
 namespace Drydock
 {
@@ -30,6 +31,10 @@ struct FSpirvGroupUse
 };
 
 FSpirvGroupUse FindGroupUse(const FSpirvModule& Module);
+
+/** Results of loads that follow a barrier, with no write into groupshared memory between: all threads of the group read
+ * the same from one place. */
+std::set<uint32_t> FindSettledReads(const FSpirvModule& Module);
 
 /** A barrier in the region or in one inside; null: there is none. */
 const FSpirvInstruction* FindBarrier(const FSpirvModule& Module, const FStructRegion& Region);

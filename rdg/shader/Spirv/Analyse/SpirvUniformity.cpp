@@ -104,6 +104,7 @@ public:
 		, Structure(InStructure)
 		, Tables(FindConstantTables(InModule))
 		, bGroups(FindGroupUse(InModule).bGroups)
+		, SettledReads(FindSettledReads(InModule))
 	{
 	}
 
@@ -135,6 +136,7 @@ private:
 	const FSpirvStructure& Structure;
 	const std::map<uint32_t, uint32_t> Tables;
 	const bool bGroups;                             // lanes are any threads of one group, not neighbours in a row
+	const std::set<uint32_t> SettledReads;          // of groupshared memory, which nobody writes meanwhile
 	std::unordered_map<uint32_t, uint32_t> BlockOf; // value -> label of the block that defines it
 	std::unordered_map<uint32_t, const FSpirvInstruction*> Chains;
 	std::set<uint32_t> DivergentBranches; // blocks whose divergence has been spread: it only depends on the structure
@@ -208,8 +210,13 @@ void FUniformityAnalysis::VisitLoad(const FSpirvInstruction& I)
 			MarkAll(I.Result);
 		}
 		break;
-	case StorageOutput:
 	case StorageWorkgroup:
+		if (!SettledReads.count(I.Result))
+		{
+			MarkAll(I.Result);
+		}
+		break;
+	case StorageOutput:
 		MarkAll(I.Result);
 		break;
 	case StorageUniform:

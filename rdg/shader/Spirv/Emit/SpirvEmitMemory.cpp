@@ -228,7 +228,7 @@ FEmitScalar FSpirvEmitter::LoadLocal(const FSpirvPlace& Place, uint32_t ScalarIn
 	const std::string Array = LocalArray(Variable, Kind);
 	return {bIndexVaries ? std::string(bShared ? "PickShared(" : "PickElement(") + Array + ", " + Index + ")"
 						 : Array + "[" + Index + "]",
-		Kind, bVariableVaries || bIndexVaries, -1};
+		Kind, (bVariableVaries && !bShared) || bIndexVaries, -1};
 }
 
 FEmitScalar FSpirvEmitter::LoadConstantBuffer(const FSpirvPlace& Place, uint32_t ScalarIndex, ESpirvType Kind)

@@ -343,6 +343,53 @@ void MainCS(uint3 Id : SV_DispatchThreadID, uint I : SV_GroupIndex)
 		});
 }
 
+/** The last group that is done adds up what all have written, as in AMD's single pass downsampler. */
+TEST(ShaderGroups, AConditionFromGroupsharedMemoryIsTheSameForAllThreads)
+{
+	const std::string Text = R"(
+globallycoherent RWStructuredBuffer<uint> Counter;
+RWStructuredBuffer<uint> Out;
+groupshared uint NumDone;
+groupshared uint Part[64];
+bool IsLast() { GroupMemoryBarrierWithGroupSync(); return NumDone == 3; }
+[numthreads(64, 1, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID, uint I : SV_GroupIndex)
+{
+	if (I == 0)
+	{
+		InterlockedAdd(Counter[0], 1, NumDone);
+	}
+	if (IsLast())
+	{
+		Part[I] = I * 2;
+		GroupMemoryBarrierWithGroupSync();
+		const uint Turns = Part[2];
+		for (uint k = 0; k < Turns; ++k)
+		{
+			Part[I] += Part[63 - I] * 0;
+			GroupMemoryBarrierWithGroupSync();
+		}
+		Out[I] = Part[63 - I] + Turns;
+	}
+}
+)";
+	ForEachForm(
+		Text, 256, 1, 1,
+		[&](FShaderHarness& H)
+		{
+			H.Buffers["Counter"].assign(1, 0);
+			H.Buffers["Out"].assign(64, 7);
+		},
+		[&](FShaderHarness& H)
+		{
+			EXPECT_EQ(4u, H.Buffers["Counter"][0]);
+			for (uint32_t i = 0; i < 64; ++i)
+			{
+				EXPECT_EQ((63 - i) * 2 + 4, H.Buffers["Out"][i]) << i;
+			}
+		});
+}
+
 TEST(ShaderGroups, ABarrierThatNotAllThreadsReachIsNamed)
 {
 	const std::string If =
@@ -350,6 +397,10 @@ TEST(ShaderGroups, ABarrierThatNotAllThreadsReachIsNamed)
 	EXPECT_THAT(
 		If, HasSubstr("/Test/Shader.usf:8: error: a barrier (GroupMemoryBarrierWithGroupSync) under a condition "
 					  "that is not known to be the same for all threads of the group (line 6)"));
+	const std::string Between =
+		ErrorOfBody("groupshared uint S;", "GroupMemoryBarrierWithGroupSync();\nS = I;\n"
+										   "if (S < 3)\n{\nGroupMemoryBarrierWithGroupSync();\n}\nOut[I] = S;");
+	EXPECT_THAT(Between, HasSubstr("/Test/Shader.usf:10: error: a barrier"));
 	const std::string Loop = ErrorOfBody(
 		"groupshared uint S;", "for (uint k = 0; k < I; ++k)\n{\nGroupMemoryBarrierWithGroupSync();\n}\nOut[I] = S;");
 	EXPECT_THAT(Loop, HasSubstr("/Test/Shader.usf:8: error: a barrier (GroupMemoryBarrierWithGroupSync) in a loop that "

@@ -167,7 +167,7 @@ std::vector<FPlanted> GetPlanted()
 			MakeRequest(Compute("RWTexture2D<float> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
 		{"typed-uav-load-optional", 5, MakeRequest(Compute(Float4, "	Out[Id.xy] = Out[Id.xy] * 2;")),
 			MakeRequest(Compute("RWTexture2D<int> Out;", "	Out[Id.xy] = Out[Id.xy] * 2;"))},
-		{"types-16", 0, MakeRequest(Compute("RWStructuredBuffer<float16_t> Out;", "	Out[Id.x] = float16_t(Id.x);")),
+		{"types-16", 5, MakeRequest(Compute("RWStructuredBuffer<float16_t> Out;", "	Out[Id.x] = float16_t(Id.x);")),
 			MakeRequest(Compute("RWStructuredBuffer<min16float> Out;", "	Out[Id.x] = min16float(Id.x);"))},
 		{"uav-count", 0, MakeRequest(Compute(Declare("RWBuffer<float>", 9), Repeat(9, "	T#[Id.x] = 1;"))),
 			MakeRequest(Compute(Declare("RWBuffer<float>", 8), Repeat(8, "	T#[Id.x] = 1;")))},
@@ -320,6 +320,9 @@ TEST(ShaderLint, BarriersThatThreadsMayMissHaveBothLines)
 	EXPECT_EQ(FLines({"6: threads part in line 7"}),
 		Barriers("for (int i = 0; i < Use; ++i) {\n" + Sync + "if (Id.x < i) return;\n}\n" + End));
 	EXPECT_EQ(1u, Barriers("for (int i = 0; i < int(Id.x); ++i) {\n" + Sync + "}\n" + End).size());
+	EXPECT_EQ(FLines({"7: threads part in line 6"}), Barriers("G = Id.x;\nif (G > 3)\n" + Sync + End));
+	EXPECT_EQ(FLines(), Barriers("G = Id.x;" + Sync + "if (G > 3) {\n" + Sync + "}\n" + End));
+	EXPECT_EQ(FLines(), Barriers("G = Id.x;" + Sync + "if (G > 3) return;\n" + Sync + End));
 	EXPECT_EQ(FLines(), Barriers("if (Use < 3)\nreturn;\n" + Sync + End));
 	EXPECT_EQ(FLines(), Barriers("if (Id.x < 3)\nG = 2;\n" + Sync + End));
 	EXPECT_EQ(FLines(), Barriers("for (int i = 0; i < Use; ++i) {\n" + Sync + "if (Id.x < i) G = i;\n}\n" + End));

@@ -117,6 +117,24 @@ std::string MakeRandomMacros(std::mt19937& Random)
 
 } // namespace
 
+TEST(ShaderPreprocessor, AFileIsIncludedEachTimeUnlessItSaysOnce)
+{
+	const std::map<std::string, std::string> Files = {{"/T/Each.ush", "int NAME;\n"},
+		{"/T/Once.ush", "#pragma once\nint Once;\n"}, {"/T/Loop.ush", "#include \"/T/Loop.ush\"\n"}};
+	const FPreprocessed Found =
+		Preprocess("#define NAME A\n#include \"/T/Each.ush\"\n#include \"/T/Once.ush\"\n#undef NAME\n"
+				   "#define NAME B\n#include \"/T/Each.ush\"\n#include \"/T/Once.ush\"\n",
+			Files);
+	EXPECT_EQ("int A ; int Once ; int B ; ", Normalize(Found.Text));
+	EXPECT_EQ("", Found.Errors);
+	EXPECT_THAT(Preprocess("#include \"/T/Loop.ush\"\n", Files).Errors, HasSubstr("includes are nested too deeply"));
+}
+
+TEST(ShaderPreprocessor, PasteAtAMacrosEndPastesNothing)
+{
+	EXPECT_EQ("Field_1_ A ", Normalize(Preprocess("#define F(I) Field_##I##_##\nF(1) A\n").Text));
+}
+
 TEST(ShaderPreprocessor, ObjectsAndFunctions)
 {
 	EXPECT_EQ("a = 4 ; ", Expand("#define N 4\na = N;\n"));

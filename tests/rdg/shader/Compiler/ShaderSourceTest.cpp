@@ -1,4 +1,4 @@
-// Flattening gives one text, every file once, lines that lead back, whatever the encoding.
+// Flattening gives one text, files with #pragma once once, lines that lead back, whatever the encoding.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

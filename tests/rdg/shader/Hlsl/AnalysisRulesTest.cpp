@@ -185,6 +185,20 @@ TEST(HlslAnalysisRules, VectorsInLogicWhereAskedFor)
 	EXPECT_TRUE(Analyse(Tree, Options).Errors.empty());
 }
 
+TEST(HlslAnalysisRules, FxcRefusesContinueInASwitch)
+{
+	FShaderCompileRequest Request;
+	Request.EntryPoint = "Main";
+	const std::string Loop = "for (int i = 0; i < 4; ++i) { switch (i) { case 1: ";
+	const std::string Inner =
+		MakeComputeText("", Loop + "for (;;) { break; } for (int j = 0; j < 2; ++j) continue; break; } }");
+	const std::string Text = MakeComputeText("", Loop + "continue; } Out[i] = 1; }");
+	EXPECT_NO_THROW(Read(Text, Request));
+	Request.Defines = {{FxcRulesDefine, "1"}};
+	EXPECT_NO_THROW(Read(Inner, Request));
+	EXPECT_THROW(Read(Text, Request), FError);
+}
+
 TEST(HlslAnalysisRules, ARequestAsksForFxcsRules)
 {
 	FShaderCompileRequest Request;

@@ -126,6 +126,52 @@ std::string ErrorOfEmitted(const std::string& Globals, const std::string& Body)
 
 } // namespace
 
+/** An argument of another type is converted on its way in and out, never taken over bit by bit. */
+TEST(HlslEmitter, ArgumentsOfOtherTypesAreConverted)
+{
+	ExpectEmitted({
+		{"void F(inout int V) { V += 1; }", "float f = 2.75; F(f); R = f + x;", {3, 4, 5, 6}},
+		{"void F(out uint4 V) { V = asuint(float4(1, 2, 3, 4)); }", "float4 f; F(f); R = f.x;",
+			{1065353216, 1065353216, 1065353216, 1065353216}},
+		{"void F(out bool B) { B = true; }", "float f; F(f); R = f;", {1, 1, 1, 1}},
+		{"void F(out int2 V) { V = int2(1, 2); }", "float4 f = 0; F(f.yz); R = f.y * 10 + f.z;", {12, 12, 12, 12}},
+		{"void F(out float V) { V = 1.5; }", "int i; F(i); R = i + n;", {1, 2, 3, 4}},
+		{"void F(inout float3 V) { V *= 1.5; }", "int4 i = int4(1, 2, 3, n); F(i.zyx); R = i.x * 10 + i.z;",
+			{14, 14, 14, 14}},
+		{"void F(out float2x2 M) { M = float2x2(1.5, 2.5, 3.5, 4.5); }", "int2x2 M; F(M); R = M._m11 * 10 + M._m00;",
+			{41, 41, 41, 41}},
+	});
+}
+
+TEST(HlslEmitter, CharactersAreTheirCodes)
+{
+	ExpectEmitted({
+		{"uint ToUpper(uint C) { return C >= 'a' && C <= 'z' ? C - 'a' + 'A' : C; }", "R = ToUpper('q');",
+			{81, 81, 81, 81}},
+		{"static const uint Line[3] = {'\\n', '\\'', '\\0'};", "R = Line[n % 3];", {10, 39, 0, 10}},
+	});
+	EXPECT_THAT(ErrorOfEmitted("", "R = 'ab';"), HasSubstr("'ab' is not one character"));
+	EXPECT_THAT(ErrorOfEmitted("", "R = 'a;"), HasSubstr("expected ' at the end of the character"));
+}
+
+TEST(HlslEmitter, BitsWithoutANameAreAGap)
+{
+	ExpectEmitted({
+		{"struct F { uint A : 3; uint : 2; uint B : 4; uint : 0; uint C : 5; }; RWStructuredBuffer<uint2> In;",
+			"F f = (F)0; f.A = 7; f.B = 9; f.C = n; R = f.A * 100 + f.B * 10 + f.C;", {790, 791, 792, 793}},
+	});
+	EXPECT_THAT(ErrorOfEmitted("struct F { uint A : 0; };", "F f; R = 1;"), HasSubstr("has 1 to 32 bits"));
+}
+
+TEST(HlslEmitter, AStructMayBeDeclaredFirst)
+{
+	ExpectEmitted({
+		{"struct Item; struct Packed { uint Bits; Item Unpack(); }; struct Item { float Value; };\n"
+		 "Item Packed::Unpack() { Item I; I.Value = asfloat(Bits); return I; }",
+			"Packed P; P.Bits = 0x3f800000; R = P.Unpack().Value + x;", {1, 2, 3, 4}},
+	});
+}
+
 TEST(HlslEmitter, ValuesAndPlaces)
 {
 	ExpectEmitted({
