@@ -16,6 +16,7 @@
 #include "RenderGraphObserver.h"
 #include "RenderGraphUtils.h"
 #include "Tonemap/TonemapOutputDevice.h"
+#include "UniformBufferStructs.h"
 
 #include <algorithm>
 #include <chrono>
@@ -299,6 +300,9 @@ private:
 			UpdateCamera(View->View);
 			View->View.InitViewUniformBuffer(Inputs.Extent);
 		}
+		const FFrameUniformBufferScope OwnView(
+			Inputs.Engine.bUnboundBufferEnds ? nullptr : FViewUniformShaderParameters::FTypeInfo::GetStructMetadata(),
+			Views.front()->View.ViewUniformBuffer->GetContents());
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;

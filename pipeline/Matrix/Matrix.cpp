@@ -4,18 +4,19 @@
 #include "ChildProcess.h"
 #include "Config/ReadConfig.h"
 #include "Diagnostics.h"
-#include "Matrix/MatrixBuildLog.h"
 #include "Matrix/MatrixCompare.h"
 #include "Matrix/MatrixErrors.h"
 #include "Matrix/MatrixRunReport.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
+#include "Patch/BuildLog.h"
 #include "Patch/PatchTemplate.h"
 #include "Patch/PluginBuild.h"
 #include "Patch/PluginBuildErrors.h"
 #include "Picture/ContactSheet.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "RangeTools.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
@@ -194,12 +195,20 @@ FMatrixBuild BuildVersion(
 		{
 			throw;
 		}
-		const std::vector<FMatrixMessage> Errors =
-			ReadCompilerMessages(First.Message, ECompilerMessage::Error, Matrix.Folder);
-		const std::string Whole = First.Message.substr(0, First.Message.find('\n'));
-		Made.FirstError = Errors.empty() ? FMatrixMessage{.Text = Whole} : Errors.front();
+		Made.FirstError = FMatrixMessage{.Text = First.Message.substr(0, First.Message.find('\n'))};
 	}
-	Made.Warnings = ReadCompilerMessages(RememberSteps(Build.BuildFolder), ECompilerMessage::Warning, Matrix.Folder);
+	const std::string Log = RememberSteps(Build.BuildFolder);
+	const auto Convert = [](const FCompilerMessage& Message)
+	{
+		return FMatrixMessage{.File = Message.File, .Line = Message.Line, .Text = Message.Text};
+	};
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(Log, ECompilerMessage::Error, Matrix.Folder);
+	if (!Made.bBuilt && !Errors.empty())
+	{
+		Made.FirstError = Convert(Errors.front());
+	}
+	Made.Warnings =
+		ToVector<FMatrixMessage>(ReadCompilerMessages(Log, ECompilerMessage::Warning, Matrix.Folder), Convert);
 	return Made;
 }
 

@@ -125,6 +125,22 @@ const FCrash GCrashes[] = {
 	{"write", "shutdown", "plugin libCrashPlugin.so, ShutdownModule of module CrashPlugin", "SIGSEGV", true},
 };
 
+/** "/.../CrashPlugin.cpp:41", by the comment in that line. */
+std::string FindCrashLine(const std::string& Kind)
+{
+	const std::string Path = DRYDOCK_TEST_SOURCE_DIR "/tests/plugins/CrashPlugin.cpp";
+	std::ifstream Stream(Path);
+	std::string Line;
+	for (int Number = 1; std::getline(Stream, Line); ++Number)
+	{
+		if (Line.ends_with("// crash: " + Kind))
+		{
+			return Path + ":" + std::to_string(Number);
+		}
+	}
+	return "no line";
+}
+
 bool HasSanitizer()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -157,6 +173,41 @@ TEST_F(FPluginCrash, EndsInOneMessageAndACodeOfItsOwn)
 		EXPECT_EQ(1, Outcome.CountErrors()) << Outcome.Err;
 		EXPECT_THAT(Outcome.Err, HasSubstr(Crash.Where));
 		EXPECT_THAT(Outcome.Err, HasSubstr(Crash.What));
+	}
+}
+
+TEST_F(FPluginCrash, NamesTheLineOfThePlugin)
+{
+	if (HasSanitizer())
+	{
+		return;
+	}
+	for (const std::string Kind : {"write", "nowhere"})
+	{
+		const FOutcome Outcome = Run("DRYDOCK_TEST_CRASH='" + Kind + " at pass'");
+		EXPECT_EQ(71, Outcome.ExitCode) << Outcome.Err;
+		EXPECT_THAT(Outcome.Err, HasSubstr(InPass));
+		EXPECT_THAT(Outcome.Err, HasSubstr(" in " + FindCrashLine(Kind) + " (libCrashPlugin.so+0x"));
+	}
+}
+
+// A header's function is compiled into the plugin, a library's is not; the plugin's line is that of the call.
+TEST_F(FPluginCrash, InDrydocksCodeIsNotThePluginsFault)
+{
+	if (HasSanitizer())
+	{
+		return;
+	}
+	for (const std::string Kind : {"header", "library"})
+	{
+		const FOutcome Outcome = Run("DRYDOCK_TEST_CRASH='" + Kind + " at SetupView'");
+		EXPECT_EQ(70, Outcome.ExitCode) << Outcome.Err;
+		EXPECT_EQ(0, Outcome.CountErrors()) << Outcome.Err;
+		EXPECT_THAT(Outcome.Err, HasSubstr("drydock crashed in " + std::string(SetupView) + ": it crashed: "));
+		EXPECT_THAT(Outcome.Err, HasSubstr(", called at " + FindCrashLine(Kind) + " (libCrashPlugin.so+0x"));
+		EXPECT_THAT(Outcome.Err, HasSubstr("; drydock's code is at fault, or what the plugin gave it"));
+		EXPECT_EQ(Kind == "header", Outcome.Err.find(" in rdg/core/Core/Containers/Array.h:") != std::string::npos)
+			<< Outcome.Err;
 	}
 }
 
