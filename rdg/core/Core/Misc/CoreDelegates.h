@@ -15,6 +15,7 @@ public:
 	static FSimpleMulticastDelegate& GetOnPostEngineInit() { return OnPostEngineInit; }
 	static FSimpleMulticastDelegate OnEnginePreExit;
 	static FSimpleMulticastDelegate& GetOnEnginePreExit() { return OnEnginePreExit; }
+	/** Before a frame's world ticks, and once the frame is drawn. */
 	static FSimpleMulticastDelegate OnBeginFrame;
 	static FSimpleMulticastDelegate OnEndFrame;
 };
