@@ -1,4 +1,4 @@
-// Objects of plugins that tick once a frame though they are no actors. Source: engine file Tickable.h.
+// Objects of plugins, besides actors, that tick once a frame. Source: engine file Tickable.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -7,7 +7,7 @@
 
 enum class ETickableTickType : uint8
 {
-	Conditional, // where IsTickable says so
+	Conditional, // while IsTickable is true
 	Always,
 	Never,
 	NewObject,

@@ -6,7 +6,7 @@
 namespace Drydock
 {
 
-/** Where a crash happened, in texts that need no memory. */
+/** The place of a crash, in texts that need no memory. */
 struct FCrashPlace
 {
 	/** The instruction lies in a library of drydock, or in a header of drydock that a plugin has compiled. */

@@ -14,7 +14,7 @@ namespace Drydock
 /** Attributes of a vertex declaration, and TEXCOORDs of a vertex shader. */
 constexpr int32_t GMaxVertexAttributes = 16;
 constexpr int32_t GMaxTexCoords = 16;
-/** What a vertex shader hands on: TEXCOORD0 to 15, then COLOR0 to 3. */
+/** Outputs of a vertex shader beside the position: TEXCOORD0 to 15, then COLOR0 to 3. */
 constexpr int32_t GMaxInterpolants = GMaxTexCoords + 4;
 
 /** The inputs that a vertex shader reads besides its parameters. */

@@ -23,7 +23,7 @@ public:
 	~FFrameUniformBufferScope();
 };
 
-/** Of the scope that is open; null: none. */
+/** Struct and contents of the scope that is open; null: none. */
 const FShaderParametersMetadata* GetFrameUniformBufferStruct();
 DRYDOCK_API const void* GetFrameUniformBufferContents();
 

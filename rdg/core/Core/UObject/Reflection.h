@@ -98,7 +98,8 @@ struct FReflectedFunction
 {
 	const TCHAR* Name = nullptr;
 	size_t NumParameters = 0;
-	/** Arguments: as many as parameters. Container null: only checks them. False: OutProblem says why. */
+	/** Arguments: as many as parameters. Container null: only checks them. False, with the reason, where it cannot be
+	 * called so. */
 	bool (*Call)(void* Container, const std::vector<FPropertyValue>& Arguments, FPropertyProblem& OutProblem) = nullptr;
 };
 
@@ -614,7 +615,15 @@ private:
 			return Container; \
 		}});
 
-#define DRYDOCK_REFLECT_CALL(Function) ::Drydock::AddReflectedFunction<&FType::Function>(Struct, TEXT(#Function));
+// One that has overloads is left out.
+#define DRYDOCK_REFLECT_CALL(Function) \
+	[&]<typename T>(const T*) \
+	{ \
+		if constexpr (requires { ::Drydock::GetFunctionCall(&T::Function); }) \
+		{ \
+			::Drydock::AddReflectedFunction<&T::Function>(Struct, TEXT(#Function)); \
+		} \
+	}(static_cast<const FType*>(nullptr));
 
 #define DRYDOCK_REFLECT_END(Class) \
 	return Struct; \

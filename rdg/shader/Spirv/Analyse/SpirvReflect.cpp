@@ -243,8 +243,8 @@ void FReflector::AddVertexOutput(const FSpirvVariable& Variable)
 	{
 		Refuse(Variable,
 			"vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " + GetHlslTypeName(Module, Type) +
-				") is not supported on the CPU tier; outputs are SV_POSITION and up to four floats or integers to "
-				"TEXCOORD0..15 and COLOR0..3");
+				") is not supported on the CPU tier; outputs are SV_POSITION, TEXCOORD0..15 and COLOR0..3, of up to "
+				"four floats or integers");
 	}
 	const uint32_t Bits = ((1u << Count) - 1) << Index;
 	Result.TexCoordsWritten |= Bits;
