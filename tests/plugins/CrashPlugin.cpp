@@ -64,12 +64,15 @@ void Crash(const char* Kind)
 	else if (Is("library", Kind))
 	{
 		const TCHAR* volatile Nothing = reinterpret_cast<const TCHAR*>(8);
-		IConsoleManager::Get().FindConsoleVariable(Nothing); // crash: library
+		volatile bool bFound = IConsoleManager::Get().FindConsoleVariable(Nothing) != nullptr; // crash: library
+		bFound = !bFound;
 	}
 	else if (Is("nowhere", Kind))
 	{
 		void (*volatile Function)() = nullptr;
+		volatile int NumCalls = 0;
 		Function(); // crash: nowhere
+		NumCalls = NumCalls + 1;
 	}
 	else if (Is("divide", Kind))
 	{

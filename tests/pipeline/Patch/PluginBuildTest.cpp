@@ -136,7 +136,7 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_TRUE(Files::exists(Absent / "mine.h"));
 }
 
-// Its generated header comes with it.
+// Its generated header comes with it, and its variables are its own: both plugins see the same one.
 TEST_F(PluginBuild, AHeaderOfANeededPluginIsFoundWithItsClasses)
 {
 	Write("Plugins/Tint/Source/Tint/Public/TintSettings.h", R"(#pragma once
@@ -148,12 +148,14 @@ class TINT_API UTintSettings : public UObject
 public:
 	int32 Answer = 42;
 };
+extern TINT_API int32 GTintHost;
 )");
-	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "#include \"TintSettings.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp",
+		"#include \"TintSettings.h\"\nint32 GTintHost = 3;\nextern \"C\" int TintHost() { return GTintHost; }\n");
 	Write("Plugins/User/User.uplugin", R"({"Plugins": [{"Name": "Tint", "Enabled": true}]})");
 	Write("Plugins/User/Source/User/User.Build.cs", "");
 	Write("Plugins/User/Source/User/Private/User.cpp", R"(#include "TintSettings.h"
-extern "C" int UserAnswer() { return GetDefault<UTintSettings>()->Answer; }
+extern "C" int UserAnswer() { GTintHost += 4; return GetDefault<UTintSettings>()->Answer; }
 )");
 	FPluginBuild Build = Describe();
 	Build.Folder = (Root / "Plugins/User").string();
@@ -161,6 +163,7 @@ extern "C" int UserAnswer() { return GetDefault<UTintSettings>()->Answer; }
 	void* const Library = dlopen(Built.Library.c_str(), RTLD_NOW | RTLD_LOCAL);
 	ASSERT_NE(nullptr, Library) << dlerror();
 	EXPECT_EQ(42, reinterpret_cast<int (*)()>(dlsym(Library, "UserAnswer"))());
+	EXPECT_EQ(7, reinterpret_cast<int (*)()>(dlsym(Library, "TintHost"))());
 	dlclose(Library);
 }
 
