@@ -5,6 +5,7 @@
 #include "AddedSettingFields.h"
 #include "CodeScope.h"
 #include "ExtensionFactory.h"
+#include "Engine/World.h"
 #include "Extensions/ExtensionErrors.h"
 #include "GlobalShader.h"
 #include "Modules/ModuleManager.h"
@@ -12,6 +13,7 @@
 #include "PassFunctions.h"
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
+#include "TimerManager.h"
 
 #include <dlfcn.h>
 #include <filesystem>
@@ -62,6 +64,7 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 		[&]
 		{
 			GEngine->ViewExtensions->ForgetPlugin(Path);
+			GWorld->GetTimerManager().ClearAllTimersOf(Owner.Plugin);
 			dlclose(Plugin.Handle);
 		});
 	ForgetPluginCode(Owner.Plugin);

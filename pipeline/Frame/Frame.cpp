@@ -10,12 +10,14 @@
 #include "Frame/FamilyTarget.h"
 #include "Frame/FrameCamera.h"
 #include "Misc/App.h"
+#include "Misc/CoreDelegates.h"
 #include "Modules/ModuleManager.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphUtils.h"
 #include "Tonemap/TonemapOutputDevice.h"
+#include "UniformBufferStructs.h"
 
 #include <algorithm>
 #include <chrono>
@@ -139,9 +141,15 @@ public:
 	{
 		const auto Begin = std::chrono::steady_clock::now();
 		FModuleManager::Get().StartupPendingModules();
-		GWorld->TickActors();
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
+		FApp::UpdateLastTime();
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds));
+		FApp::SetDeltaTime(static_cast<double>(Inputs.Time.DeltaRealTimeSeconds));
+		FCoreDelegates::OnBeginFrame.Broadcast();
+		GWorld->Tick(Inputs.Time.DeltaWorldTimeSeconds, static_cast<double>(Inputs.Time.WorldTimeSeconds));
 		SetUpFamily();
 		BuildAndRunGraph();
+		FCoreDelegates::OnEndFrame.Broadcast();
 		Result.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 		Extensions.Finish(Observer.Graph);
@@ -184,10 +192,6 @@ private:
 		GFrameNumber = GFrameNumberRenderThread = Inputs.FrameNumber;
 		GFrameCounter = GFrameCounterRenderThread = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
-		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
-		FApp::UpdateLastTime();
-		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds));
-		FApp::SetDeltaTime(static_cast<double>(Inputs.Time.DeltaRealTimeSeconds));
 		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
@@ -301,6 +305,9 @@ private:
 			UpdateCamera(View->View);
 			View->View.InitViewUniformBuffer(Inputs.Extent);
 		}
+		const FFrameUniformBufferScope OwnView(
+			Inputs.Engine.bUnboundBufferEnds ? nullptr : FViewUniformShaderParameters::FTypeInfo::GetStructMetadata(),
+			Views.front()->View.ViewUniformBuffer->GetContents());
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;

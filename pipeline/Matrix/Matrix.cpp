@@ -4,12 +4,12 @@
 #include "ChildProcess.h"
 #include "Config/ReadConfig.h"
 #include "Diagnostics.h"
-#include "Matrix/MatrixBuildLog.h"
 #include "Matrix/MatrixCompare.h"
 #include "Matrix/MatrixErrors.h"
 #include "Matrix/MatrixRunReport.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
+#include "Patch/BuildLog.h"
 #include "Patch/PatchTemplate.h"
 #include "Patch/EngineApi.h"
 #include "Patch/PluginBuild.h"
@@ -18,6 +18,7 @@
 #include "Picture/ContactSheet.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "RangeTools.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
@@ -171,7 +172,7 @@ std::string RememberSteps(const Files::path& BuildFolder)
 }
 
 /** A plugin that does not compile is a finding; what else is wrong is thrown. */
-void BuildOnce(const FPluginBuild& Build, const std::string& Folder, FMatrixBuild& Made)
+void BuildOnce(const FPluginBuild& Build, FMatrixBuild& Made)
 {
 	try
 	{
@@ -187,9 +188,7 @@ void BuildOnce(const FPluginBuild& Build, const std::string& Folder, FMatrixBuil
 		{
 			throw;
 		}
-		const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(First.Message, ECompilerMessage::Error, Folder);
-		const std::string Whole = First.Message.substr(0, First.Message.find('\n'));
-		Made.FirstError = Errors.empty() ? FMatrixMessage{.Text = Whole} : Errors.front();
+		Made.FirstError = FMatrixMessage{.Text = First.Message.substr(0, First.Message.find('\n'))};
 	}
 }
 
@@ -205,7 +204,7 @@ FMatrixBuild BuildVersion(
 	Build.Excludes = Request.Excludes;
 	Build.Compiler = Request.Compiler;
 	Build.NumJobs = NumJobs;
-	BuildOnce(Build, Matrix.Folder, Made);
+	BuildOnce(Build, Made);
 	const std::string Log = TryReadTextFile(Build.BuildFolder + "/build.log").value_or("");
 	Made.InEngine = FindVersionMessages(Log);
 	std::erase_if(Made.Notes, [&Made](const std::string& Note) { return Contains(Made.InEngine, Note); });
@@ -214,9 +213,20 @@ FMatrixBuild BuildVersion(
 		// The picture with these names is of interest all the same.
 		Build.EngineNames = 1;
 		Made.FirstError.reset();
-		BuildOnce(Build, Matrix.Folder, Made);
+		BuildOnce(Build, Made);
 	}
-	Made.Warnings = ReadCompilerMessages(RememberSteps(Build.BuildFolder), ECompilerMessage::Warning, Matrix.Folder);
+	const std::string Steps = RememberSteps(Build.BuildFolder);
+	const auto Convert = [](const FCompilerMessage& Message)
+	{
+		return FMatrixMessage{.File = Message.File, .Line = Message.Line, .Text = Message.Text};
+	};
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(Steps, ECompilerMessage::Error, Matrix.Folder);
+	if (!Made.bBuilt && !Errors.empty())
+	{
+		Made.FirstError = Convert(Errors.front());
+	}
+	Made.Warnings =
+		ToVector<FMatrixMessage>(ReadCompilerMessages(Steps, ECompilerMessage::Warning, Matrix.Folder), Convert);
 	return Made;
 }
 

@@ -1,7 +1,7 @@
 // Reads messages as FDiagnostic writes them, and run.json.
 #include "Matrix/MatrixRunReport.h"
 
-#include "Matrix/MatrixLines.h"
+#include "Patch/LogLines.h"
 #include "RangeTools.h"
 #include "Text/Json.h"
 #include "TextTools.h"

@@ -10,6 +10,7 @@ class AActor;
 class APlayerController;
 class AWorldSettings;
 class FSceneInterface;
+class FTimerManager;
 
 class DRYDOCK_API UGameInstance : public UObject
 {
@@ -18,6 +19,8 @@ public:
 	using UObject::UObject;
 
 	UWorld* GetWorld() const override;
+	/** The world's (TimerManager.h). */
+	FTimerManager& GetTimerManager() const;
 
 	/** Null if no plugin brings it. */
 	template<typename T>
@@ -67,10 +70,12 @@ public:
 	UGameInstance* GetGameInstance() const { return GameInstance; }
 	APlayerController* GetFirstPlayerController() const { return nullptr; }
 
-	/** Seconds; the world stands still. */
-	double GetTimeSeconds() const { return 0.0; }
-	double GetRealTimeSeconds() const { return 0.0; }
-	float GetDeltaSeconds() const { return 0.0f; }
+	/** Seconds since the world began, and since the frame before; they advance with the frames of a sequence. */
+	double GetTimeSeconds() const { return TimeSeconds; }
+	double GetRealTimeSeconds() const { return TimeSeconds; }
+	float GetDeltaSeconds() const { return DeltaSeconds; }
+	/** TimerManager.h */
+	FTimerManager& GetTimerManager() const { return *TimerManager; }
 
 	/** Null if no plugin brings it. */
 	template<typename T>
@@ -124,14 +129,18 @@ public:
 	}
 	/** Ours: ends the play of those. */
 	void RemovePlacedActors();
-	/** Ours: before a frame. */
-	void TickActors();
+	/** Ours: before a frame; the seconds since the frame before, and since the world began. Actors and components tick
+	 * by their groups, timers come before TG_PostUpdateWork, and behind them FTickableGameObjects. */
+	void Tick(float InDeltaSeconds, double InTimeSeconds);
 
 private:
 	void AddActor(const std::shared_ptr<AActor>& Actor);
 
 	UGameInstance* GameInstance;
 	AWorldSettings* WorldSettings;
+	FTimerManager* TimerManager;
+	double TimeSeconds = 0.0;
+	float DeltaSeconds = 0.0f;
 	std::vector<std::shared_ptr<AActor>> Actors;
 	std::vector<AActor*> Placed;
 };

@@ -404,6 +404,10 @@ void FRHICommandList::DrawRect(
 			Counters.AddWrite(Entry.RenderTarget, Entry.MipIndex, Rect);
 		}
 	}
+	if (Targets.size() > size_t(Drydock::GDepthTarget) && NumInstances > 0)
+	{
+		Counters.AddWrite(RenderPass.DepthStencilRenderTarget.DepthStencilTarget, 0, Rect);
+	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
 		const FIntPoint TileSize = ChooseTileSize(Whole);

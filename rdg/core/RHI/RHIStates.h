@@ -153,10 +153,11 @@ public:
 	}
 	const FDepthStencilStateInitializerRHI& GetInitializer() const { return Initializer; }
 
-	/** The state could reject or write something where a depth-stencil target is bound. */
-	bool IsTesting() const
+	/** The state could reject or write something where a depth-stencil target is bound. bMayWrite: depth may be
+	 * written. */
+	bool IsTesting(bool bMayWrite = false) const
 	{
-		return Initializer.DepthTest != CF_Always || Initializer.bEnableDepthWrite ||
+		return Initializer.DepthTest != CF_Always || (Initializer.bEnableDepthWrite && !bMayWrite) ||
 			   Initializer.bEnableFrontFaceStencil || Initializer.bEnableBackFaceStencil;
 	}
 

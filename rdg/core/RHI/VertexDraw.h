@@ -56,8 +56,9 @@ struct DRYDOCK_API FVertexState
 	 * shader reads one, and an element and a buffer for every attribute that it reads. */
 	void CheckInput(const FVertexDraw& Draw) const;
 
-	/** Throws FError (DD2132) where a pixel shader that reads that many TEXCOORDs reads more than the shader writes. */
-	void CheckTexCoords(int32 NumRead, const std::string& PixelShader) const;
+	/** Throws FError (DD2132) where a pixel shader reads a TEXCOORD or COLOR that the vertex shader, or the engine's
+	 * where none is bound, does not write, or integers where floats are written. */
+	void CheckTexCoords(const FBoundShader& Pixel) const;
 
 	TRefCountPtr<FRHIVertexShader> Shader;
 	TRefCountPtr<FRHIVertexDeclaration> Declaration;

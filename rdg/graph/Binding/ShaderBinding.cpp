@@ -5,6 +5,7 @@
 #include "NativeKernels.h"
 #include "RangeTools.h"
 #include "RHIResources.h"
+#include "RenderGraphReport.h"
 #include "RenderGraphResources.h"
 #include "ShaderBindingChecks.h"
 #include "ShaderBindingPlan.h"
@@ -75,7 +76,12 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(
 		for (FDiagnostic& Diagnostic : Diagnostics)
 		{
 			Diagnostic.Message += std::string(" (entry ") + Shader.GetType()->GetFunctionName() + ")";
+			if (Diagnostic.Severity == ESeverity::Warning)
+			{
+				ReportRDGWarning(Diagnostic, true);
+			}
 		}
+		std::erase_if(Diagnostics, [](const FDiagnostic& Each) { return Each.Severity == ESeverity::Warning; });
 		if (!Diagnostics.empty())
 		{
 			throw FError(std::move(Diagnostics), ExitUsage);

@@ -77,9 +77,9 @@ template<typename TArchive>
 void Fields(TArchive A, FShaderReflection& R)
 {
 	A("stage", R.Stage, "groupX", R.GroupSize[0], "groupY", R.GroupSize[1], "groupZ", R.GroupSize[2], "targets",
-		R.NumTargets, "integerTargets", R.IntegerTargets, "interpolants", R.NumInterpolants, "discard", R.bUsesDiscard,
-		"groups", R.bGroups, "groupsInOrder", R.bGroupsInOrder, "partedBarrier", R.PartedBarrier, "quads", R.bQuads,
-		"samples", R.StaticSamples);
+		R.NumTargets, "integerTargets", R.IntegerTargets, "depth", R.bWritesDepth, "interpolants", R.NumInterpolants,
+		"integerInterpolants", R.IntegerInterpolants, "discard", R.bUsesDiscard, "groups", R.bGroups, "groupsInOrder",
+		R.bGroupsInOrder, "partedBarrier", R.PartedBarrier, "quads", R.bQuads, "samples", R.StaticSamples);
 }
 
 template<typename T>

@@ -33,11 +33,12 @@ FVersionRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member
 /** In a function of its own, so that a new member of the profile does not compile until it is listed here. */
 std::vector<FVersionRow> MakeMathsRows()
 {
-	const auto& [Minor, bShadowContrast, bRamp, bThresholds] = GetDefaultEngineProfile();
+	const auto& [Minor, bShadowContrast, bRamp, bThresholds, bUnbound] = GetDefaultEngineProfile();
 	static_cast<void>(Minor);
 	static_cast<void>(bShadowContrast);
 	static_cast<void>(bRamp);
 	static_cast<void>(bThresholds);
+	static_cast<void>(bUnbound);
 	return {
 		MakeProfileRow("maths: `LocalExposureShadowContrastScale` starts at the highlights' console variable",
 			&FEngineProfile::bShadowContrastOfHighlights),
@@ -45,6 +46,9 @@ std::vector<FVersionRow> MakeMathsRows()
 			&FEngineProfile::bBloomRampWithoutThreshold),
 		MakeProfileRow("settings: `LocalExposureHighlightThreshold` and `LocalExposureShadowThreshold` act",
 			&FEngineProfile::bLocalExposureThresholds),
+		MakeProfileRow("shaders: one that reads `View` without having it in its parameters ends the run (5.1 and 5.2 "
+					   "are uncertain)",
+			&FEngineProfile::bUnboundBufferEnds),
 	};
 }
 

@@ -16,6 +16,7 @@ public:
 	DRYDOCK_API_GetOnPostEngineInit static FSimpleMulticastDelegate& GetOnPostEngineInit() { return OnPostEngineInit; }
 	static FSimpleMulticastDelegate OnEnginePreExit;
 	static FSimpleMulticastDelegate& GetOnEnginePreExit() { return OnEnginePreExit; }
+	/** Before a frame's world ticks, and once the frame is drawn. */
 	static FSimpleMulticastDelegate OnBeginFrame;
 	static FSimpleMulticastDelegate OnEndFrame;
 };

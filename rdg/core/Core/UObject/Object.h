@@ -112,6 +112,10 @@ public:
 	}
 	FString GetName() const { return Name.ToString(); }
 	FName GetFName() const { return Name; }
+	/** It is its class's default object. */
+	bool IsTemplate() const { return bTemplate; }
+	/** Ours: called by GetDefault. */
+	void SetTemplate() { bTemplate = true; }
 	/** Ours: the engine names objects when it makes them. */
 	void SetFName(FName InName) { Name = InName; }
 
@@ -121,6 +125,7 @@ private:
 	FName Name;
 	uint32 UniqueID = MakeUniqueID();
 	UObject* Outer = nullptr;
+	bool bTemplate = false;
 	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
 
@@ -231,6 +236,7 @@ template<typename T>
 T* GetMutableDefault()
 {
 	static T Default;
+	[[maybe_unused]] static const bool bMarked = (Default.SetTemplate(), true);
 	return &Default;
 }
 template<typename T>

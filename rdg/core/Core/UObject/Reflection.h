@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <typeinfo>
 #include <vector>
@@ -85,6 +86,30 @@ struct FReflectedProperty
 	void* (*GetAddress)(void* Container) = nullptr;
 };
 
+/** Why a value was not taken. */
+struct FPropertyProblem
+{
+	enum class EKind : uint8
+	{
+		UnknownProperty,
+		WrongValue,
+		NotGiven, // of a type that a config cannot give
+	};
+	EKind Kind = EKind::WrongValue;
+	std::string Path;    // from the value on: "/Colors/2/R"; empty: the value itself
+	std::string Message; // one sentence
+};
+
+/** A UFUNCTION(BlueprintCallable). */
+struct FReflectedFunction
+{
+	const TCHAR* Name = nullptr;
+	size_t NumParameters = 0;
+	/** Arguments: as many as parameters. Container null: only checks them. False, with the reason, where it cannot be
+	 * called so. */
+	bool (*Call)(void* Container, const std::vector<FPropertyValue>& Arguments, FPropertyProblem& OutProblem) = nullptr;
+};
+
 struct FReflectedEnum
 {
 	const TCHAR* Name = nullptr;
@@ -104,6 +129,7 @@ struct FReflectedStruct
 	UObject* (*GetDefault)() = nullptr; // null: a struct, or a class that cannot be made
 	void* (*FromObject)(UObject* Object) = nullptr;
 	std::vector<FReflectedProperty> Properties = {};
+	std::vector<FReflectedFunction> Functions = {};
 	void (*Place)() = nullptr; // an actor: puts one into the world, as a level has it
 };
 
@@ -114,20 +140,6 @@ struct FFoundProperty
 	std::vector<void* (*)(void*)> Steps;
 
 	DRYDOCK_API void* GetAddress(void* Container) const;
-};
-
-/** Why a value was not taken. */
-struct FPropertyProblem
-{
-	enum class EKind : uint8
-	{
-		UnknownProperty,
-		WrongValue,
-		NotGiven, // of a type that a config cannot give
-	};
-	EKind Kind = EKind::WrongValue;
-	std::string Path;    // from the value on: "/Colors/2/R"; empty: the value itself
-	std::string Message; // one sentence
 };
 
 /** All that is registered. Plugins come and go on one thread. */
@@ -157,6 +169,12 @@ public:
 	 * The values given before are kept. False, with the reason, where it cannot have it. */
 	bool Give(const FReflectedStruct& Class, const std::string& Name, const FPropertyValue& Value,
 		FPropertyProblem& OutProblem);
+	/** Calls a function of a class, or of one it is derived from, of Object; null: only checks. False, with the reason
+	 * and the place among the arguments, where it cannot be called so. */
+	bool Call(const FReflectedStruct& Class, const std::string& Name, const std::vector<FPropertyValue>& Arguments,
+		UObject* Object, FPropertyProblem& OutProblem) const;
+	/** The class's subsystem that has started, else its default object; null: there is none. */
+	UObject* FindObject(const FReflectedStruct& Class) const;
 	/** Calls PostInitProperties of the default objects of a plugin that were given something. */
 	void FinishDefaults(const std::string& Plugin);
 	/** Puts back all that was given, of all plugins. */
@@ -508,6 +526,81 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 	return Struct;
 }
 
+/** The call of a member or static function; Member: whether it is one. */
+template<bool bMember, typename TClass, typename... TParameters>
+struct TFunctionCall
+{
+	template<auto Function>
+	static bool Call(void* Container, const std::vector<FPropertyValue>& Arguments, FPropertyProblem& OutProblem)
+	{
+		return Call<Function>(Container, Arguments, OutProblem, std::index_sequence_for<TParameters...>());
+	}
+
+private:
+	template<typename T>
+	static bool Write(T& Value, const FPropertyValue& Given, size_t Index, FPropertyProblem& OutProblem)
+	{
+		const FPropertyType& Type = GetPropertyType<T>();
+		const bool bNull = Given.Kind == FPropertyValue::EKind::None && Type.Kind == EPropertyKind::Object;
+		const bool bWritten = bNull || WriteProperty(Type, &Value, Given, OutProblem);
+		OutProblem.Path.insert(0, bWritten ? "" : "/" + std::to_string(Index));
+		return bWritten;
+	}
+
+	template<auto Function, size_t... Indices>
+	static bool Call(void* Container, [[maybe_unused]] const std::vector<FPropertyValue>& Arguments,
+		[[maybe_unused]] FPropertyProblem& OutProblem, std::index_sequence<Indices...>)
+	{
+		[[maybe_unused]] std::tuple<std::decay_t<TParameters>...> Values{};
+		if (!(Write(std::get<Indices>(Values), Arguments[Indices], Indices, OutProblem) && ...))
+		{
+			return false;
+		}
+		if (Container != nullptr)
+		{
+			if constexpr (bMember)
+			{
+				(static_cast<TClass*>(Container)->*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+			}
+			else
+			{
+				(*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+			}
+		}
+		return true;
+	}
+};
+
+template<typename TResult, typename TClass, typename... TParameters>
+TFunctionCall<true, TClass, TParameters...> GetFunctionCall(TResult (TClass::*)(TParameters...));
+template<typename TResult, typename TClass, typename... TParameters>
+TFunctionCall<true, TClass, TParameters...> GetFunctionCall(TResult (TClass::*)(TParameters...) const);
+template<typename TResult, typename... TParameters>
+TFunctionCall<false, void, TParameters...> GetFunctionCall(TResult (*)(TParameters...));
+
+template<bool bMember, typename TClass, typename... TParameters>
+consteval bool CanMakeArguments(const TFunctionCall<bMember, TClass, TParameters...>*)
+{
+	return (std::is_default_constructible_v<std::decay_t<TParameters>> && ...);
+}
+template<bool bMember, typename TClass, typename... TParameters>
+consteval size_t CountParameters(const TFunctionCall<bMember, TClass, TParameters...>*)
+{
+	return sizeof...(TParameters);
+}
+
+/** Function: a pointer to it. One whose arguments nobody can make is left out. */
+template<auto Function>
+void AddReflectedFunction(FReflectedStruct& Struct, const TCHAR* Name)
+{
+	using FCall = decltype(GetFunctionCall(Function));
+	constexpr const FCall* None = nullptr;
+	if constexpr (CanMakeArguments(None))
+	{
+		Struct.Functions.push_back({Name, CountParameters(None), &FCall::template Call<Function>});
+	}
+}
+
 /** Known for as long as the library is loaded. */
 template<typename T>
 class TReflectionRegistration : private FNoncopyable
@@ -559,6 +652,16 @@ private:
 		{ \
 			return Container; \
 		}});
+
+// One that has overloads is left out.
+#define DRYDOCK_REFLECT_CALL(Function) \
+	[&]<typename T>(const T*) \
+	{ \
+		if constexpr (requires { ::Drydock::GetFunctionCall(&T::Function); }) \
+		{ \
+			::Drydock::AddReflectedFunction<&T::Function>(Struct, TEXT(#Function)); \
+		} \
+	}(static_cast<const FType*>(nullptr));
 
 #define DRYDOCK_REFLECT_END(Class) \
 	return Struct; \

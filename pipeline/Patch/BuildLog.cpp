@@ -1,13 +1,14 @@
 // Reads logs of builds line by line.
-#include "Matrix/MatrixBuildLog.h"
+#include "Patch/BuildLog.h"
 
-#include "Matrix/MatrixLines.h"
+#include "Patch/LogLines.h"
 #include "RangeTools.h"
 #include "TextTools.h"
 
 #include <algorithm>
 #include <optional>
 #include <regex>
+#include <tuple>
 
 namespace Drydock
 {
@@ -22,7 +23,7 @@ std::string GetPathFrom(const std::string& File, const std::string& Folder)
 }
 
 /** "file:41:7: fatal error: text", "file:41: undefined reference to `f()'", "ld: multiple definition of `f()'". */
-std::optional<FMatrixMessage> ReadCompilerMessage(const std::string& WholeLine, ECompilerMessage Kind)
+std::optional<FCompilerMessage> ReadCompilerMessage(const std::string& WholeLine, ECompilerMessage Kind)
 {
 	static const std::regex Compiler("^\\s*(.*?):(\\d+)(?::\\d+)?: (?:fatal )?(error|warning): (.*)$");
 	static const std::regex Linker("((undefined reference to|multiple definition of) .*)$");
@@ -32,13 +33,13 @@ std::optional<FMatrixMessage> ReadCompilerMessage(const std::string& WholeLine, 
 	if (std::regex_match(Line, Match, Compiler))
 	{
 		const bool bWanted = (Match[3] == "error") == (Kind == ECompilerMessage::Error);
-		return bWanted
-				   ? std::optional(FMatrixMessage{.File = Match[1], .Line = ReadLineNumber(Match[2]), .Text = Match[4]})
-				   : std::nullopt;
+		return bWanted ? std::optional(
+							 FCompilerMessage{.File = Match[1], .Line = ReadLineNumber(Match[2]), .Text = Match[4]})
+					   : std::nullopt;
 	}
 	if (Kind == ECompilerMessage::Error && std::regex_search(Line, Match, Linker))
 	{
-		FMatrixMessage Message{.Text = Match[1]};
+		FCompilerMessage Message{.Text = Match[1]};
 		const std::string Before = Match.prefix();
 		if (std::regex_search(Before, Match, Place))
 		{
@@ -93,13 +94,13 @@ std::vector<FBuildStep> MergeBuildSteps(const std::vector<FBuildStep>& Before, c
 	return Merged;
 }
 
-std::vector<FMatrixMessage> ReadCompilerMessages(
+std::vector<FCompilerMessage> ReadCompilerMessages(
 	const std::string& Text, ECompilerMessage Kind, const std::string& Folder)
 {
-	std::vector<FMatrixMessage> Messages;
+	std::vector<FCompilerMessage> Messages;
 	for (const std::string& Line : SplitText(Text))
 	{
-		std::optional<FMatrixMessage> Message = ReadCompilerMessage(Line, Kind);
+		std::optional<FCompilerMessage> Message = ReadCompilerMessage(Line, Kind);
 		if (!Message)
 		{
 			continue;
@@ -107,6 +108,12 @@ std::vector<FMatrixMessage> ReadCompilerMessages(
 		Message->File = GetPathFrom(Message->File, Folder);
 		AddUnique(Messages, *Message);
 	}
+	// Sources are compiled side by side. The plugin's files go before others, and before no file at all.
+	const auto GetPlace = [](const FCompilerMessage& Message)
+	{
+		return std::tuple(Message.File.empty() || Message.File[0] == '/', Message.File, Message.Line);
+	};
+	std::ranges::stable_sort(Messages, {}, GetPlace);
 	return Messages;
 }
 

@@ -1,7 +1,7 @@
 // What is read out of logs of builds, written by hand as ninja, make, g++ and ld write them.
 #include <gtest/gtest.h>
 
-#include "Matrix/MatrixBuildLog.h"
+#include "Patch/BuildLog.h"
 
 using namespace Drydock;
 
@@ -24,9 +24,9 @@ In file included from /p/Tint/Source/Tint/Private/a.cpp:3:
 
 } // namespace
 
-TEST(MatrixBuildLog, ErrorsAreRelativeToThePlugin)
+TEST(BuildLog, ErrorsAreRelativeToThePlugin)
 {
-	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(GLog, ECompilerMessage::Error, GFolder);
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(GLog, ECompilerMessage::Error, GFolder);
 	ASSERT_EQ(2u, Errors.size());
 	EXPECT_EQ("Source/Tint/Private/b.cpp", Errors[0].File);
 	EXPECT_EQ(41, Errors[0].Line);
@@ -36,17 +36,17 @@ TEST(MatrixBuildLog, ErrorsAreRelativeToThePlugin)
 	EXPECT_EQ("y.h: No such file or directory", Errors[1].Text);
 }
 
-TEST(MatrixBuildLog, AWarningOfAHeaderCountsOnce)
+TEST(BuildLog, AWarningOfAHeaderCountsOnce)
 {
-	const std::vector<FMatrixMessage> Warnings = ReadCompilerMessages(GLog, ECompilerMessage::Warning, GFolder);
+	const std::vector<FCompilerMessage> Warnings = ReadCompilerMessages(GLog, ECompilerMessage::Warning, GFolder);
 	ASSERT_EQ(1u, Warnings.size());
 	EXPECT_EQ("Source/Tint/Public/Tint.h", Warnings[0].File);
 	EXPECT_EQ(12, Warnings[0].Line);
 }
 
-TEST(MatrixBuildLog, TheLinkersErrorsCount)
+TEST(BuildLog, TheLinkersErrorsCount)
 {
-	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(
 		"/usr/bin/ld: a.o: in function `F()':\n"
 		"/p/Tint/a.cpp:7: undefined reference to `Missing()'\n"
 		"/usr/bin/ld: b.o:(.text+0x0): multiple definition of `F()'; a.o:(.text+0x0): first defined here\n"
@@ -61,7 +61,7 @@ TEST(MatrixBuildLog, TheLinkersErrorsCount)
 	EXPECT_EQ(0u, Errors[1].Text.find("multiple definition of `F()'"));
 }
 
-TEST(MatrixBuildLog, StepsAreThoseOfNinjaAndMake)
+TEST(BuildLog, StepsAreThoseOfNinjaAndMake)
 {
 	const std::vector<FBuildStep> Steps = ReadBuildSteps(GLog);
 	ASSERT_EQ(3u, Steps.size());
@@ -75,13 +75,13 @@ TEST(MatrixBuildLog, StepsAreThoseOfNinjaAndMake)
 	EXPECT_EQ((std::vector<FBuildStep>{{"Building CXX object a.o", "said\n"}, {"Built target Tint", ""}}), OfMake);
 }
 
-TEST(MatrixBuildLog, WrittenStepsAreReadBack)
+TEST(BuildLog, WrittenStepsAreReadBack)
 {
 	EXPECT_EQ(ReadBuildSteps(GLog), ReadBuildSteps(WriteBuildSteps(ReadBuildSteps(GLog))));
 	EXPECT_EQ("", WriteBuildSteps({}));
 }
 
-TEST(MatrixBuildLog, WhatWasUpToDateKeepsWhatItSaid)
+TEST(BuildLog, WhatWasUpToDateKeepsWhatItSaid)
 {
 	const std::vector<FBuildStep> Before = {{"Building a.o", "warning of a\n"}, {"Building b.o", "warning of b\n"}};
 	EXPECT_EQ(Before, MergeBuildSteps(Before, {}));
@@ -89,21 +89,21 @@ TEST(MatrixBuildLog, WhatWasUpToDateKeepsWhatItSaid)
 		MergeBuildSteps(Before, {{"Building a.o", ""}}));
 }
 
-TEST(MatrixBuildLog, LongLinesAreCut)
+TEST(BuildLog, LongLinesAreCut)
 {
 	const std::string Long(1000000, 'x');
 	const std::string Log = "[1/2] " + Long + "\n/p/Tint/a.cpp:7:1: error: " + Long + "\n" + Long + "\n";
 	EXPECT_EQ(1u, ReadBuildSteps(Log).size());
-	const std::vector<FMatrixMessage> Errors = ReadCompilerMessages(Log, ECompilerMessage::Error, GFolder);
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(Log, ECompilerMessage::Error, GFolder);
 	ASSERT_EQ(1u, Errors.size());
 	EXPECT_EQ("a.cpp", Errors[0].File);
 	EXPECT_EQ(7, Errors[0].Line);
 	EXPECT_EQ("xxx", Errors[0].Text.substr(0, 3));
 }
 
-TEST(MatrixBuildLog, ANumberThatIsNoLineIsZero)
+TEST(BuildLog, ANumberThatIsNoLineIsZero)
 {
-	const std::vector<FMatrixMessage> Errors =
+	const std::vector<FCompilerMessage> Errors =
 		ReadCompilerMessages("a.cpp:99999999999:1: error: far\n", ECompilerMessage::Error, GFolder);
 	ASSERT_EQ(1u, Errors.size());
 	EXPECT_EQ(0, Errors[0].Line);

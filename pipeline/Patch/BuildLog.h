@@ -2,7 +2,6 @@
 #pragma once
 
 #include "DrydockAPI.h"
-#include "Matrix/MatrixResult.h"
 
 #include <string>
 #include <vector>
@@ -37,9 +36,19 @@ enum class ECompilerMessage
 	Warning,
 };
 
-/** Messages of that kind, in their order, each once. Folder: of the plugin, absolute; files in it are given from there
- * on. */
-DRYDOCK_API std::vector<FMatrixMessage> ReadCompilerMessages(
+/** A message of compiler or linker. */
+struct FCompilerMessage
+{
+	std::string File = {}; // of the plugin: relative to its folder; empty: none
+	int Line = 0;          // 1-based, 0: unknown
+	std::string Text = {};
+
+	bool operator==(const FCompilerMessage&) const = default;
+};
+
+/** Messages of that kind, each once, by file and line; those in the plugin's files are first. Folder: of the plugin,
+ * absolute; files in it are given from there on. */
+DRYDOCK_API std::vector<FCompilerMessage> ReadCompilerMessages(
 	const std::string& Text, ECompilerMessage Kind, const std::string& Folder);
 
 } // namespace Drydock
