@@ -418,8 +418,10 @@ TEST(CallsOfRDG, ShadersAndScreenPasses)
 		Viewport, PixelShader, MakeParameters(Target));
 	FPixelShaderUtils::AddFullscreenPass(
 		GraphBuilder, ShaderMap, RDG_EVENT_NAME("Calls.Full"), PixelShader, MakeParameters(Full), FIntRect(0, 0, 4, 2));
-	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, ShaderMap, RDG_EVENT_NAME("Calls.Blended"), PixelShader,
-		MakeParameters(Full), FIntRect(0, 0, 4, 2), TStaticBlendState<CW_RGBA, BO_Add, BF_One, BF_One>::GetRHI());
+	FCallsPS::FParameters* const Added = MakeParameters(Full);
+	Added->RenderTargets[0].SetLoadAction(ERenderTargetLoadAction::ELoad);
+	FPixelShaderUtils::AddFullscreenPass(GraphBuilder, ShaderMap, RDG_EVENT_NAME("Calls.Blended"), PixelShader, Added,
+		FIntRect(0, 0, 4, 2), TStaticBlendState<CW_RGBA, BO_Add, BF_One, BF_One>::GetRHI());
 	AddDrawScreenPass(GraphBuilder, RDG_EVENT_NAME("Calls.State"), FScreenPassViewInfo(GMaxRHIFeatureLevel), Viewport,
 		Viewport, FScreenPassPipelineState(TShaderMapRef<FScreenPassVS>(ShaderMap), PixelShader), PixelShader,
 		MakeParameters(Target));
@@ -515,7 +517,7 @@ TEST(CallsOfRDG, ShadersAndScreenPasses)
 	GraphBuilder.Execute();
 	CALL("AddDrawScreenPass(PS), AddDrawScreenPass(State, PS)",
 		ReadFirst(OutTarget) == FLinearColor(0.25f, 0.5f, 1.0f, 1.0f));
-	CALL("FPixelShaderUtils::AddFullscreenPass", ReadFirst(OutFull) == FLinearColor(0.5f, 1.0f, 2.0f, 2.0f));
+	CALL("FPixelShaderUtils::AddFullscreenPass", ReadFirst(OutFull) == FLinearColor(0.5f, 1.0f, 2.0f, 1.0f));
 	CALL("FComputeShaderUtils::AddPass", ReadFirst(OutComputed) == FLinearColor(1, 2, 3, 4));
 	CALL("AddDrawTexturePass", ReadFirst(OutDrawn) == FLinearColor(0.25f, 0.5f, 1.0f, 1.0f));
 }

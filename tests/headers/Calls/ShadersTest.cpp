@@ -146,7 +146,9 @@ const std::vector<FShaderCall>& GetCalls()
 			{1.055 * std::pow(X, 1 / 2.4) - 0.055, std::pow((X + 0.055) / 1.055, 2.4)}},
 		{"LinearTo709Branchless, LinearToSrgbBranchless", "LinearTo709Branchless(A.x)",
 			{1.099 * std::pow(X, 0.45) - 0.099}},
-		{"LinearToST2084, ST2084ToLinear", "ST2084ToLinear(LinearToST2084(float3(100, 200, 300)))", {100, 200, 300}},
+		{"LinearToST2084, ST2084ToLinear",
+			"float3(abs(ST2084ToLinear(LinearToST2084(float3(1, 2, 3))) / float3(1, 2, 3) - 1.0f) < 0.001f)",
+			{1, 1, 1}},
 		{"LinearRGB_2_HSV, HSV_2_LinearRGB", "HSV_2_LinearRGB(LinearRGB_2_HSV(A.xyz))", {X, Y, Z}},
 		{"RGBToYCoCg, YCoCgToRGB", "RGBToYCoCg(A.xyz)", {(X + 2 * Y + Z) / 4, (X - Z) / 2, (-X + 2 * Y - Z) / 4}},
 		{"MortonEncode, MortonDecode", "float2(MortonDecode(MortonEncode(uint2(I.xy))))", {7, 2}},
@@ -199,13 +201,13 @@ const std::vector<FShaderCall>& GetCalls()
 		{"ScreenPosToBufferUV", "ScreenPosToBufferUV(A.xy)", {0.5 + X / 2, 0.5 - Y / 2}},
 		{"ConvertFromDeviceZ, ConvertToDeviceZ", "ConvertFromDeviceZ(ConvertToDeviceZ(300.0f)) / 300.0f", {1}},
 		{"SvPositionToTranslatedWorld, SvPositionToWorld",
-			"SvPositionToWorld(float4(12, 6, ConvertToDeviceZ(100.0f), 1)) - View.WorldCameraOrigin - 100.0f * "
-			"View.ViewForward",
+			"SvPositionToWorld(float4(12, 6, ConvertToDeviceZ(100.0f), 1)) / 100.0f - View.WorldCameraOrigin / 100.0f "
+			"- View.ViewForward",
 			{0, 0, 0}},
 		{"SvPositionToScreenPosition, GetScreenPositionForProjectionType",
 			"SvPositionToScreenPosition(float4(12, 6, 0.5f, 1))", {0, 0, 0.5, 1}},
 		{"GetWorldPositionFromScreenUV, GetTranslatedWorldPositionFromScreenUV",
-			"GetWorldPositionFromScreenUV(float2(0.5f, 0.5f), 100.0f) - View.WorldCameraOrigin - 100.0f * "
+			"(GetWorldPositionFromScreenUV(float2(0.5f, 0.5f), 100.0f) - View.WorldCameraOrigin) / 100.0f - "
 			"View.ViewForward",
 			{0, 0, 0}},
 		{"Calculate3DVelocity", "Calculate3DVelocity(float4(2, 4, 6, 2), float4(1, 1, 1, 1))", {0, 1, 2}},
@@ -213,7 +215,8 @@ const std::vector<FShaderCall>& GetCalls()
 			"DecodeVelocityFromTexture(EncodeVelocityToTexture(float3(A.xy, 0))).xy", {X, Y}},
 		{"CalcSceneColor", "CalcSceneColor(A.xy)", {0.25, 0.25, 0.25}},
 		{"CalcSceneColorAndDepth, CalcSceneDepth",
-			"CalcSceneColorAndDepth(A.xy) - float4(CalcSceneColor(A.xy), CalcSceneDepth(A.xy))", {0, 0, 0, 0}},
+			"float4(CalcSceneColorAndDepth(A.xy).rgb, CalcSceneColorAndDepth(A.xy).w == CalcSceneDepth(A.xy))",
+			{0.25, 0.25, 0.25, 1}},
 		{"LookupDeviceZ", "LookupDeviceZ(A.xy)", {0}},
 		{"CalcSceneCustomDepth, CalcSceneCustomStencil", "CalcSceneCustomStencil(uint2(1, 1))", {0}},
 		{"GetGBufferData, GetGBufferDataUint",
