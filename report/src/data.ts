@@ -159,6 +159,7 @@ export interface PassDetail {
 	index: number;
 	shaderFile: string;
 	permutations?: Record<string, string>[];
+	bound?: string[]; // parameters whose resources the shader uses; absent where that is not known
 	parameters: { name: string; type: string; value: string }[];
 }
 

@@ -1,7 +1,7 @@
 // The page of a comparison: two pictures, or two runs picture by picture, and what differs in how they were made.
 import { el, section, table } from "../dom";
 import { count, ms, number, percent } from "../format";
-import { PicturePanel } from "../picture/panel";
+import { PicturePanel, beside } from "../picture/panel";
 import { listAnswers, row, to } from "../sections/answers";
 import { Difference, compareEffects, compareHeads, comparePasses, compareSettings, compareTimes } from "./compare";
 import { Compared, DiffReport, differs } from "./data";
@@ -90,11 +90,9 @@ export class DiffPage {
 		const final = report.diff.images.find((image) => image.name === "final" && differs(image))?.name ?? first ?? "";
 		this.picture = report.pictures.length ? new PicturePanel(report.pictures, {
 			a: "a: " + final, b: "b: " + final, mode: "slider", title: "Both pictures",
-			note: `A: ${report.a.path}   B: ${report.b.path}`,
 		}) : null;
 		const parts: [string, string, HTMLElement | null][] = [
-			["", "", answer(report)],
-			["picture", "Both pictures", this.picture?.element ?? null],
+			["picture", "Both pictures", beside(answer(report), this.picture)],
 			["pictures", "Figures", this.makeFigures()],
 			...(a && b ? [
 				["settings", "Settings", differences("settings", "Settings", "Setting", compareSettings(a, b), "No setting differs.")],
