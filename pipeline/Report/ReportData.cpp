@@ -9,6 +9,7 @@
 #include "Run/GraphJson.h"
 #include "Run/RunDump.h"
 #include "Shader.h"
+#include "ShaderBinding.h"
 #include "Text/Json.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
@@ -17,6 +18,7 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <set>
 
 namespace Drydock
 {
@@ -212,6 +214,22 @@ void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
 		});
 }
 
+/** Parameters whose resources the class uses in any permutation. Nothing where no struct was bound. */
+void WriteBound(FJsonWriter& Writer, const FShaderType& Type)
+{
+	std::set<std::string> Bound;
+	Type.ForEachShader(
+		[&](FShader& Shader)
+		{
+			const std::vector<std::string> Names = ListBoundResources(Shader);
+			Bound.insert(Names.begin(), Names.end());
+		});
+	if (!Bound.empty())
+	{
+		Writer.Member("bound", std::vector<std::string>(Bound.begin(), Bound.end()));
+	}
+}
+
 /** Writes what the graph and the run leave out about passes that ran. */
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
@@ -226,6 +244,7 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 			if (Type != nullptr)
 			{
 				WritePermutations(Writer, *Type);
+				WriteBound(Writer, *Type);
 			}
 			Writer.Key("parameters").BeginArray();
 			const auto Values = Result.PassValues.find(Pass.Index);
