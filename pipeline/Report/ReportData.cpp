@@ -7,6 +7,7 @@
 #include "Report/ReportPage.h"
 #include "Report/ReportPicture.h"
 #include "Run/GraphJson.h"
+#include "Run/RunDifference.h"
 #include "Run/RunDump.h"
 #include "Shader.h"
 #include "ShaderBinding.h"
@@ -258,14 +259,14 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		});
 }
 
-void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
+void WriteSettings(FJsonWriter& Writer, const FReportInputs& Inputs)
 {
 	Writer.Array("settings", GetSettingFields(),
 		[&](const FSettingField& Field)
 		{
-			const std::string Value = SettingToJson(Field, Field.Get(Result.Settings));
+			const std::string Value = SettingToJson(Field, Field.Get(Inputs.Result.Settings));
 			const std::string Default = SettingToJson(Field, Field.Default);
-			if (Value == Default)
+			if (Value == Default || (Inputs.Touched && Inputs.Touched->count(Field.Name) == 0))
 			{
 				return;
 			}
@@ -295,14 +296,16 @@ void WriteNonFinite(FJsonWriter& Writer, const FNonFiniteSpread& Spread)
 	Writer.EndObject();
 }
 
-void WriteBefore(FJsonWriter& Writer, const FReportBefore& Before)
+void WriteBefore(FJsonWriter& Writer, const FReportInputs& Inputs)
 {
+	const FReportBefore& Before = Inputs.Before;
 	if (Before.RunJson.empty())
 	{
 		return;
 	}
 	Writer.Key("previous").BeginObject();
 	Writer.Member("written", Before.When);
+	WriteRunDifferences(Writer, "differences", CompareRuns(Before.RunJson, Inputs.Result.RunJson));
 	Writer.Key("run").Raw(Before.RunJson);
 	Writer.RawMember("timing", Before.TimingJson);
 	Writer.EndObject();
@@ -349,9 +352,9 @@ std::string MakeReportData(const FReportInputs& Inputs)
 	Writer.RawMember("blend", Inputs.BlendJson);
 	Writer.RawMember("walk", Inputs.WalkJson);
 	WritePasses(Writer, Inputs.Result);
-	WriteSettings(Writer, Inputs.Result);
+	WriteSettings(Writer, Inputs);
 	WriteNonFinite(Writer, Inputs.Result.NonFinite);
-	WriteBefore(Writer, Inputs.Before);
+	WriteBefore(Writer, Inputs);
 	FPictures(Writer, Inputs).Write();
 	return Writer.GetText();
 }

@@ -13,7 +13,7 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void, sel
 	const names = narrow.matches ? 120 : 250; // width of the names of passes
 	const bar = narrow.matches ? 0 : 70;
 	const left = names + bar + (narrow.matches ? 0 : 18);
-	const column = narrow.matches ? Math.min(Math.max((innerWidth - 66 - left) / resources.length, 5), 17) : 17;
+	const column = narrow.matches ? Math.min(Math.max((innerWidth - 66 - left) / resources.length, 3), 17) : 17;
 	const size = Math.min(column / 1.7, 10); // of a mark
 	const longestName = Math.max(...resources.map((resource) => resource.name.length), 0);
 	const head = column < 14 ? 0 : Math.min(24 + longestName * 5.4, 300); // height of the names of resources
@@ -36,7 +36,7 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void, sel
 		heading.append(el("g", attributes, el("text", { transform: `translate(${x + 3} ${head - 8}) rotate(-55)` }, resource.name)));
 		svg.append(el("g", attributes,
 			el("rect", { class: "hit", x: x - column / 2, y: 0, width: column, height }),
-			el("rect", { class: "life", x: x - 2.5, y: Math.min(...uses) - 4, width: 5, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
+			el("rect", { class: "life", x: x - size / 4, y: Math.min(...uses) - 4, width: size / 2, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
 	});
 
 	passes.forEach((pass, i) => {
