@@ -395,6 +395,10 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
 			"a run's folder can be compared only with a run's folder, an image only with an image", ExitUsage);
 	}
+	if (Options.NumRepeats > 0 && !bFolders)
+	{
+		throw BadArgument("runs both again: it needs the folders of two runs", "--repeat");
+	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};

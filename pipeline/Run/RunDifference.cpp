@@ -164,7 +164,7 @@ std::vector<FRunDifference> CompareRuns(const std::string& RunJsonA, const std::
 			Differences.push_back({Key.first, Key.second, A->Find(Key), B->Find(Key)});
 		}
 	}
-	// What a person changed stands before what followed from it.
+	// A person's own changes stand before their consequences.
 	static constexpr std::array Order = {"setting", "variable", "input", "other", "effect", "pass"};
 	std::ranges::stable_sort(Differences, {},
 		[](const FRunDifference& Difference) { return std::ranges::find(Order, Difference.Kind) - Order.begin(); });

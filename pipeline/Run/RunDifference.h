@@ -27,7 +27,7 @@ DRYDOCK_API std::vector<FRunDifference> CompareRuns(const std::string& RunJsonA,
 DRYDOCK_API void WriteRunDifferences(
 	FJsonWriter& Writer, const char* Key, const std::vector<FRunDifference>& Differences);
 
-/** A table for people, of at most as many rows; a line says how many more there are. */
+/** A table for people, of at most MaxRows rows; a last line counts the others. */
 DRYDOCK_API std::string FormatRunDifferences(const std::vector<FRunDifference>& Differences, size_t MaxRows, int Width);
 
 /** The times of one run, measured several times, milliseconds. */

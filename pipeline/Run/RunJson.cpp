@@ -38,7 +38,7 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 	Writer.EndObject();
 }
 
-/** What the run depends on, beside the config and drydock itself. */
+/** The record by which a run is repeated and compared. */
 void WriteInputs(FJsonWriter& Writer, const FRunResult& Result)
 {
 	Writer.Member("arguments", Result.Arguments);

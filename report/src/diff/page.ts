@@ -7,7 +7,7 @@ import { listAnswers, nameDifferences, row, sectionOf, showDifference, to } from
 import { compareTimes, compareWritten } from "./compare";
 import { Compared, DiffReport, differs } from "./data";
 
-/** The sections of what differs: kind, title, what is said where nothing does. */
+/** The sections of differences: kind, title, and the sentence of one without any. */
 const kinds: [Difference["kind"], string, string][] = [
 	["setting", "Settings", "No setting differs."], ["variable", "Variables", "No console variable differs."], ["input", "Inputs", "The same config, files and shaders."],
 	["effect", "Effects", "The same effects ran, for the same reasons."], ["pass", "Passes", "The same passes ran."], ["other", "Other", "Nothing else differs."],
