@@ -52,8 +52,8 @@ FRunAgain ReadRunAgain(const std::string& RunJson, const std::string& ConfigFile
 		const std::string Config = TryReadTextFile(Timing) ? ReadJsonFile(Timing).GetString("config") : std::string();
 		if (Config.empty())
 		{
-			Refuse(RunJson, "there is no timing.json beside it that says where " + Root.GetString("config") +
-								" is: name the config too");
+			Refuse(RunJson, "timing.json, which names the place of " + Root.GetString("config") +
+								", is not beside it: name the config too");
 		}
 		Again.Options.ConfigFile = (Folder / Config).lexically_normal().string();
 	}

@@ -16,8 +16,8 @@ struct FRunAgain
 };
 
 /** RunJson: the file. The config is where timing.json beside it says, unless ConfigFile names one. Throws FError: a
- * file that cannot be read (exit code 3); a record that does not say how to repeat the run, as that of a frame which
- * began with the history of another (exit code 2). */
+ * file that cannot be read (exit code 3); a record by which nothing can be repeated, such as that of a frame with
+ * the history of another (exit code 2). */
 DRYDOCK_API FRunAgain ReadRunAgain(const std::string& RunJson, const std::string& ConfigFile = "");
 
 /** A warning if something that the run depended on is different now. Now: the inputs of its repetition. */

@@ -95,6 +95,15 @@ TEST_F(PluginIniProgram, WatchRendersAgainWhenOneIsEdited)
 	EXPECT_TRUE(WIFEXITED(Status) && WEXITSTATUS(Status) == 128 + SIGTERM);
 }
 
+TEST_F(PluginIniProgram, BlendPrintsAPluginsSettingByName)
+{
+	Folder.WriteFrame(
+		"a.json", Plugin + R"(, "volumes": [{"name": "V", "bUnbound": true, "Settings": {"TunedGlow": 2}}])");
+	const FOutcome Blend = Folder.Call("blend a.json --setting TunedGlow");
+	EXPECT_EQ(0, Blend.ExitCode) << Blend.Printed;
+	EXPECT_THAT(Blend.Printed, HasSubstr("TunedGlow = 2"));
+}
+
 TEST_F(PluginIniProgram, ASequenceWithAnotherOneIsNotTakenForDone)
 {
 	const std::string Scene =
