@@ -65,6 +65,7 @@ struct FRunOptions
 	bool bNoSkip = false;
 	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
 	bool bFingerprints = false;              // of what each pass wrote, in run.json
+	bool bRecordInputs = false;              // fingerprints of what the run depends on, in run.json
 	bool bKeepForReport = false;             // of each pass its parameters and small pictures (FRunPass)
 	bool bPassValues = false;                // the constants of each pass's parameters (FRunResult::PassValues)
 	bool bUseBudget = true;                  // a config with a budget and a study runs what the study recommends

@@ -4,11 +4,16 @@
 #include "PrintText.h"
 #include "Program/JUnitOption.h"
 #include "Program/ProgramOutput.h"
+#include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Report/DiffPage.h"
+#include "Report/ReportData.h"
 #include "Report/ReportPage.h"
+#include "Run/Run.h"
+#include "Run/RunAgain.h"
+#include "Run/RunDifference.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
@@ -41,7 +46,8 @@ struct FDiffOptions
 	std::optional<double> Max;
 	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
 	bool bJson = false;
-	std::string Report;                    // "on", "off"; empty: on where a person looks on
+	int NumRepeats = 0;                    // runs of each side, to measure times; 0: none
+	std::string Report;                    // "on", "off"; empty: off
 	std::string OutputFolder = "out/diff"; // of the page
 	std::string JUnit;                     // file to write; empty: none
 };
@@ -272,8 +278,61 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 	return Case;
 }
 
-/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
-std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options, bool bPassed)
+/** What the records of two runs say beside their pictures. */
+struct FRunsCompared
+{
+	std::vector<FRunDifference> Differences;
+	FTimeSpread A; // of all passes
+	FTimeSpread B;
+	int NumRepeats = 0;
+};
+
+/** Runs both in turn, as their records say; nothing is written. */
+void Measure(const FDiffOptions& Options, FRunsCompared& Compared)
+{
+	std::array<FRunAgain, 2> Runs = {ReadRunAgain((Files::path(Options.A) / "run.json").string()),
+		ReadRunAgain((Files::path(Options.B) / "run.json").string())};
+	std::array<std::vector<double>, 2> Samples;
+	FProgressBar Bar;
+	for (int Turn = 0; Turn <= Options.NumRepeats; ++Turn) // the first one fills caches, and does not count
+	{
+		for (size_t Side = 0; Side < Runs.size(); ++Side)
+		{
+			Bar.Show(Turn, Options.NumRepeats + 1, Side == 0 ? "A" : "B");
+			const double Milliseconds = RunConfig(Runs[Side].Options).Times.Execute;
+			if (Turn > 0)
+			{
+				Samples[Side].push_back(Milliseconds);
+			}
+		}
+	}
+	Bar.Clear();
+	Compared.NumRepeats = Options.NumRepeats;
+	Compared.A = MakeTimeSpread(Samples[0]);
+	Compared.B = MakeTimeSpread(Samples[1]);
+}
+
+/** Nothing where a folder has no run.json. */
+std::optional<FRunsCompared> CompareRecords(const FDiffOptions& Options)
+{
+	const std::string A = ReadReportBefore(Options.A).RunJson;
+	const std::string B = ReadReportBefore(Options.B).RunJson;
+	if (A.empty() || B.empty())
+	{
+		return std::nullopt;
+	}
+	FRunsCompared Compared{CompareRuns(A, B), {}, {}, 0};
+	if (Options.NumRepeats > 0)
+	{
+		Measure(Options, Compared);
+	}
+	return Compared;
+}
+
+/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}], and of
+ * two runs differences: [{kind, name, a, b}], times} */
+std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options,
+	const std::optional<FRunsCompared>& Runs, bool bPassed)
 {
 	FJsonWriter Writer('{');
 	Writer.Members({{"allowed", Options.Max}, {"passed", bPassed}});
@@ -292,7 +351,23 @@ std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Op
 						{"channel", Pair.Channels[static_cast<size_t>(Pair.Error.MaxChannel)]}});
 			}
 		});
+	if (Runs)
+	{
+		WriteRunDifferences(Writer, "differences", Runs->Differences);
+		Writer.Key("times").Object(
+			{{"repeats", Runs->NumRepeats}, {"a", std::array{Runs->A.Low, Runs->A.Median, Runs->A.High}},
+				{"b", std::array{Runs->B.Low, Runs->B.Median, Runs->B.High}},
+				{"sentence", DescribeTimes(Runs->A, Runs->B, Runs->NumRepeats)}});
+	}
 	return Writer.GetText();
+}
+
+std::string MakeRunsText(const FRunsCompared& Runs)
+{
+	constexpr size_t MaxRows = 20;
+	const std::string Times =
+		Runs.NumRepeats > 0 ? "times    " + DescribeTimes(Runs.A, Runs.B, Runs.NumRepeats) + "\n" : std::string();
+	return "\n" + FormatRunDifferences(Runs.Differences, MaxRows, GetOutputWidth()) + Times;
 }
 
 std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool bFolders)
@@ -305,30 +380,6 @@ const FOutputNames& GetDiffOutputNames()
 	static const FOutputNames Names = {
 		.Name = "diff", .Files = {"diff.html"}, .Last = "diff.html", .Folders = {}, .Unsteady = {"diff.html"}};
 	return Names;
-}
-
-/** If nobody asked for the page, an obstacle is only reported, and the comparison goes on without a page: false. */
-bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
-{
-	try
-	{
-		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
-		return true;
-	}
-	catch (const FError& Error)
-	{
-		if (!Options.Report.empty())
-		{
-			throw;
-		}
-		std::vector<FDiagnostic> Said = Error.GetDiagnostics();
-		for (FDiagnostic& Diagnostic : Said)
-		{
-			Diagnostic.Severity = ESeverity::Warning;
-		}
-		PrintDiagnostics(Said);
-		return false;
-	}
 }
 
 /** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
@@ -344,13 +395,18 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
 			"a run's folder can be compared only with a run's folder, an image only with an image", ExitUsage);
 	}
+	if (Options.NumRepeats > 0 && !bFolders)
+	{
+		throw BadArgument("runs both again: it needs the folders of two runs", "--repeat");
+	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};
 	std::optional<FOutputFolder> Folder;
 	std::optional<FDiffPage> Page;
-	if (WantsReport(Options.Report, Options.bJson) && OpenPageFolder(Options, Folder))
+	if (!Options.Report.empty() && Options.Report != "off")
 	{
+		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
 		Page.emplace();
 	}
 	bool bPassed = true;
@@ -363,14 +419,15 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 		Suite.Cases.push_back(MakeCase(Pair, Options));
 		bPassed = bPassed && Suite.Cases.back().Outcome == EJUnitOutcome::Passed;
 	}
-	const std::string Json = MakeDiffJson(Pairs, Options, bPassed);
+	const std::optional<FRunsCompared> Runs = bFolders ? CompareRecords(Options) : std::nullopt;
+	const std::string Json = MakeDiffJson(Pairs, Options, Runs, bPassed);
 	if (Page)
 	{
 		const std::string Data = Page->MakeData(Options.A, Options.B, Json, FormatReportTime(std::time(nullptr)));
 		WriteWholeFile((Folder->GetAside() / "diff.html").string(), MakeReportPage(Data));
 		Folder->PutInPlace();
 	}
-	PrintResult(Options.bJson ? Json : MakeDiffTable(Pairs), Options.bJson);
+	PrintResult(Options.bJson ? Json : MakeDiffTable(Pairs) + (Runs ? MakeRunsText(*Runs) : ""), Options.bJson);
 	if (Page && !Options.bJson)
 	{
 		PrintPage(Folder->GetPath() / "diff.html");
@@ -396,7 +453,12 @@ FVerbCall AddDiffOptions(FVerbOptions& Verb)
 			"Write a PNG that shows the error, over four decades; for two runs a folder with a PNG for each picture")
 		.SetType("FILE");
 	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
-	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making");
+	Verb.Add("--repeat", Options->NumRepeats,
+			"Run both again in turn, this many times, to say whether one is faster; for two runs")
+		.RequireRange(3, 1000)
+		.SetType("N");
+	AddReport(
+		Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making", false);
 	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
 	Verb.AddFlag("--json", Options->bJson, "Print the error figures as JSON");
 	return [Options]

@@ -38,9 +38,13 @@ void AddTrust(FVerbOptions& Verb, FRunOptions& Options)
 		"Write nothing to the shader cache; missing shaders are compiled for this run only");
 }
 
-void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
+void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired)
 {
-	Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json").Require();
+	const FVerbOption Config = Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json");
+	if (bRequired)
+	{
+		Config.Require();
+	}
 	AddVariables(Verb, Options);
 	Verb.AddRepeated(
 		"--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; overrides all volumes");

@@ -18,7 +18,7 @@ void AddTrust(FVerbOptions& Verb, FRunOptions& Options);
 
 /** The config that the verb is about, with the options that change it (--set, --exec, --pp, --frame, --engine and
  * --plugin) and those of AddTrust. */
-void AddConfig(FVerbOptions& Verb, FRunOptions& Options);
+void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired = true);
 
 /** --threads. Doc: its line in --help. */
 void AddThreads(FVerbOptions& Verb, FRunOptions& Options, const char* Doc);

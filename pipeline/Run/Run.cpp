@@ -49,6 +49,23 @@ FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
 }
 
+/** Those whose values are not drydock's own defaults. The number of threads changes no bit. */
+std::vector<FRunVariable> ListRunVariables()
+{
+	std::vector<FRunVariable> Variables;
+	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
+	{
+		if (Info.SetBy != TEXT("Constructor") && Info.Name != TEXT("r.Drydock.Threads"))
+		{
+			const std::string By = Info.SetBy == TEXT("ConsoleVariablesIni") ? "config"
+								   : Info.SetBy == TEXT("Commandline")       ? "command line"
+																			 : *Info.SetBy;
+			Variables.push_back({*Info.Name, *Info.Value, By});
+		}
+	}
+	return Variables;
+}
+
 /** The part of the result that is known before the graph. */
 FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 {
@@ -65,6 +82,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 	{
 		Result.Device = Backend->GetDeviceName();
 	}
+	Result.Variables = ListRunVariables();
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.LightColor = Scene.GetLightColor();
@@ -406,6 +424,12 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 			}
 			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite, InFile));
 		}
+	}
+	Result.Arguments = ListRunArguments(Options, Result.Config);
+	Result.bHistory = std::ranges::any_of(Last, &FViewHistory::bValid);
+	if (Options.bRecordInputs)
+	{
+		Result.Inputs = FindRunInputs(Options, Result.Config);
 	}
 	Result.RunJson = MakeRunJson(Result);
 	Result.Times.Begin = FrameBegin;

@@ -128,7 +128,11 @@ double FillFolder(
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	if (Result.Write.count(EOutputKind::Json) > 0)
 	{
-		WriteWholeFile((Folder / "timing.json").string(), MakeTimingJson(Result, SaveMs));
+		// Aside stands beside the folder that it becomes.
+		const Files::path Config = Files::absolute(Result.Config.File).lexically_normal();
+		const Files::path From = Files::absolute(Folder).lexically_normal();
+		WriteWholeFile((Folder / "timing.json").string(),
+			MakeTimingJson(Result, SaveMs, Config.lexically_relative(From).generic_string()));
 	}
 	return SaveMs;
 }

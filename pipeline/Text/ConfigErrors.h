@@ -34,6 +34,7 @@ enum EConfigError
 	WarnIneffectiveValue = 1022,     // a console variable that nothing reads, a value without effect, a set kept out
 
 	NoteBudgetWithoutChoice = 1023, // a budget, and no study to choose by
+	WarnInputsChanged = 1026,       // what a run depended on is different when it is repeated
 
 	WarnNoLocation = 1041,        // bounded volumes, and no location for the view
 	ErrorNothingFromScene = 1042, // "fromScene", and no scene or none that suggests anything

@@ -113,6 +113,22 @@ std::vector<FDiagnostic> MatchShaderParameters(
 	return Diagnostics;
 }
 
+std::vector<std::string> ListBoundResources(FShader& Shader)
+{
+	FShaderState& State = Shader.GetState();
+	std::lock_guard Lock(State.Mutex);
+	std::vector<std::string> Names;
+	for (const auto& [Metadata, Plan] : State.Plans)
+	{
+		for (const FResourceCopy& Copy : Plan->Resources)
+		{
+			const std::string& Buffer = Plan->Sources[Copy.Source].CodeName;
+			Names.push_back(Copy.Source == 0 ? Copy.CodeName : Buffer + "->" + Copy.CodeName.substr(Buffer.size() + 1));
+		}
+	}
+	return Names;
+}
+
 void FollowShaderBindingPlan(
 	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out)
 {

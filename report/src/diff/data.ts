@@ -1,5 +1,5 @@
 // A comparison's data: the types of diff.schema.json that the page reads.
-import { PictureData, Run, Timing } from "../data";
+import { Difference, PictureData, Run, Timing } from "../data";
 
 export interface Compared {
 	name: string;
@@ -28,7 +28,7 @@ export interface DiffReport {
 	name: string;
 	version: string;
 	written: string;
-	diff: { allowed: number | null; passed: boolean; images: Compared[] };
+	diff: { allowed: number | null; passed: boolean; images: Compared[]; differences?: Difference[]; times?: { repeats: number; sentence: string } };
 	a: Side;
 	b: Side;
 	pictures: PictureData[];

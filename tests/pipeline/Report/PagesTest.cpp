@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 using namespace Drydock;
@@ -36,16 +35,6 @@ void RunTwo(const FProgramFolder& Folder)
 }
 
 const std::string Walk = "run '" DRYDOCK_TEST_SOURCE_DIR "/configs/volumes_walk.json' --out out/walk ";
-
-/** As FProgramFolder::Call, where stdout is a terminal. */
-FOutcome CallAtTerminal(const FProgramFolder& Folder, const std::string& Arguments)
-{
-	Folder.Write("call.sh", "exec '" DRYDOCK_TEST_BINARY_DIR "/bin/drydock' " + Arguments + "\n");
-	const std::string Command =
-		"cd '" + Folder.Path.string() + "' && script -qec 'sh call.sh' /dev/null >printed.txt 2>&1 </dev/null";
-	const int Status = std::system(Command.c_str());
-	return {WEXITSTATUS(Status), Folder.Read("printed.txt")};
-}
 
 /** Bytes that no PNG makes smaller. */
 std::string MakeNoise(int Width, int Height)
@@ -115,26 +104,6 @@ TEST(DiffPage, APageThatSomebodyElsePutThereIsNotReplaced)
 	EXPECT_EQ(2, Outcome.ExitCode);
 	EXPECT_NE(std::string::npos, Outcome.Printed.find("DD1080")) << Outcome.Printed;
 	EXPECT_EQ("mine", Folder.Read("out/diff/diff.html"));
-}
-
-TEST(DiffPage, IsWrittenAtATerminalAndInNobodysWayThere)
-{
-	const FProgramFolder Folder("page_diff_terminal");
-	RunTwo(Folder);
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b --json").ExitCode);
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b --report off").ExitCode);
-	EXPECT_FALSE(Files::exists(Folder.Path / "out"));
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b").ExitCode);
-	EXPECT_EQ("diff", ReadData(Folder, "out/diff/diff.html")["kind"]);
-
-	Folder.Write("out/diff/diff.html", "mine");
-	Files::remove(Folder.Path / "out/diff/.drydock.diff.files");
-	const FOutcome Refused = CallAtTerminal(Folder, "diff a b");
-	EXPECT_EQ(0, Refused.ExitCode);
-	EXPECT_NE(std::string::npos, Refused.Printed.find("warning DD1080")) << Refused.Printed;
-	EXPECT_NE(std::string::npos, Refused.Printed.find("scene_linear")) << Refused.Printed;
-	EXPECT_EQ("mine", Folder.Read("out/diff/diff.html"));
-	EXPECT_EQ(2, CallAtTerminal(Folder, "diff a b --report").ExitCode);
 }
 
 TEST(SequencePage, HasEveryFrameItsFiguresAndTheWalk)
