@@ -104,6 +104,7 @@ struct FShaderReflection
 	uint32_t IntegerTargets = 0; // bit N: SV_TargetN is of integers
 	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD read; vertex: written
 	bool bUsesDiscard = false;
+	bool bLoadsStored = false;   // loads texels of a texture that it may store to, or changes them atomically
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
 	bool bGroupsInOrder = false; // compute: groups run one after the other
 	std::string PartedBarrier; // compute: "X.usf:12" of a barrier that not all threads of a group come to; empty: none

@@ -78,8 +78,8 @@ void Fields(TArchive A, FShaderReflection& R)
 {
 	A("stage", R.Stage, "groupX", R.GroupSize[0], "groupY", R.GroupSize[1], "groupZ", R.GroupSize[2], "targets",
 		R.NumTargets, "integerTargets", R.IntegerTargets, "interpolants", R.NumInterpolants, "discard", R.bUsesDiscard,
-		"groups", R.bGroups, "groupsInOrder", R.bGroupsInOrder, "partedBarrier", R.PartedBarrier, "quads", R.bQuads,
-		"samples", R.StaticSamples);
+		"loadsStored", R.bLoadsStored, "groups", R.bGroups, "groupsInOrder", R.bGroupsInOrder, "partedBarrier",
+		R.PartedBarrier, "quads", R.bQuads, "samples", R.StaticSamples);
 }
 
 template<typename T>
