@@ -431,7 +431,7 @@ function(drydock_add_plugin Name)
 			"const bool bRegistered_${Identifier} = (IPluginManager::Get().RegisterPlugin(TEXT(\"${PluginName}\"), TEXT(\"${PluginFolder}\")), true);\n")
 		if(ShaderFolder)
 			string(APPEND Mapping
-				"const bool bMapped_${Identifier} = (AddShaderSourceDirectoryMapping(TEXT(\"/Plugin/${PluginName}\"), TEXT(\"${ShaderFolder}\")), true);\n")
+				"const bool bMapped_${Identifier} = (Drydock::MapPluginShaders(\"/Plugin/${PluginName}\", \"${ShaderFolder}\"), true);\n")
 		endif()
 	endforeach()
 	set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")

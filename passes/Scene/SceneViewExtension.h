@@ -361,6 +361,9 @@ public:
 	/** Notes that all registered since First belong to a plugin. Returns how many these are. */
 	int32 MarkPlugin(const std::string& Plugin, uint64 First);
 
+	/** Names of the extensions that a plugin registered, by its file, in their order. */
+	std::vector<std::string> GetNamesOfPlugin(const std::string& Plugin) const;
+
 	/** Forgets a plugin's extensions, before its library goes away. */
 	void ForgetPlugin(const std::string& Plugin);
 

@@ -13,6 +13,7 @@
 #include "PassFunctions.h"
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
+#include "ShaderDirectories.h"
 #include "TimerManager.h"
 
 #include <dlfcn.h>
@@ -76,6 +77,32 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 	return true;
 }
 
+/** Notes folders of shaders that the engine would not find: drydock alone mapped them, since the first Before ones. */
+void NoteUnmapped(const FConfigPlace& Place, size_t Before, FConfigMessages& Messages)
+{
+	const std::vector<FShaderDirectory> All = GetShaderDirectories();
+	for (size_t Index = Before; Index < All.size(); ++Index)
+	{
+		const std::string& Virtual = All[Index].Virtual;
+		const bool bMapped = !All[Index].bByDrydock || std::ranges::any_of(All, [&](const FShaderDirectory& Other)
+														   { return !Other.bByDrydock && Other.Virtual == Virtual; });
+		std::string Used;
+		ForEachGlobalShader(
+			[&](const FGlobalShaderType& Type)
+			{
+				const std::string File = Type.GetShaderFilename();
+				Used = File.starts_with(Virtual + "/") ? File : Used;
+			});
+		if (!bMapped && !Used.empty())
+		{
+			Messages.Note(NotePluginUnmapped, Place,
+				"the plugin does not map " + Virtual + ", and the engine will not find " + Used +
+					": call AddShaderSourceDirectoryMapping(TEXT(\"" + Virtual +
+					"\"), ...) in its module's StartupModule; drydock maps it to " + All[Index].Real);
+		}
+	}
+}
+
 /** Whether it is loaded; else that is reported. */
 bool Load(
 	const TConfigValue<std::string>& Plugin, const std::string& Path, FObjectValues& Values, FConfigMessages& Messages)
@@ -101,6 +128,7 @@ bool Load(
 		}
 	}
 	const size_t NumBefore = CountRegistered();
+	const size_t NumMapped = CountShaderDirectories();
 	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
 	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
 	void* const Handle = CallCode(FCodeOwner{Name, "constructors of static variables (dlopen)"},
@@ -124,6 +152,7 @@ bool Load(
 	}
 	Values.GiveTo(Name);
 	CallCode(FCodeOwner{Name, "the start of its modules"}, [] { FModuleManager::Get().StartupPendingModules(); });
+	NoteUnmapped(Plugin.Place, NumMapped, Messages);
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
 	const bool bOverlay = Plugin.Place.Pointer == "/overlay"; // which ReportOverlays looks at
 	if (NumExtensions == 0 && CountRegistered() == NumBefore && !bOverlay)

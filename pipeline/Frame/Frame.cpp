@@ -88,6 +88,7 @@ public:
 		}
 	}
 	bool WantsZeroedTextures() const override { return Next != nullptr && Next->WantsZeroedTextures(); }
+	bool OnTextureMade(FRHITexture& Texture) override { return Next != nullptr && Next->OnTextureMade(Texture); }
 	bool ShowsWarnings() const override { return Next != nullptr && Next->ShowsWarnings(); }
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override

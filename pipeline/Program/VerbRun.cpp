@@ -52,7 +52,7 @@ double GetStartMilliseconds()
 /** If the passes themselves made NaN or infinity in the picture, the messages name the line that made it. */
 FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 {
-	if (GetDispatchObserver())
+	if (!GetDispatchObservers().empty())
 	{
 		return Session.Run(std::nullopt, {}); // somebody looks already
 	}

@@ -276,6 +276,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
 	TakeUncalledReplacements(); // of the frame before
 	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result.Graph.Warnings);
+	AddNewDiagnostics(Result.Diagnostics, Observer.GetUnwrittenReads());
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{

@@ -106,6 +106,7 @@ struct FShaderReflection
 	int32_t NumInterpolants = 0;      // pixel: 1 + highest interpolant read (GMaxInterpolants); vertex: written
 	uint32_t IntegerInterpolants = 0; // bit N: the interpolant N is of integers
 	bool bUsesDiscard = false;
+	bool bLoadsStored = false;   // loads texels of a texture that it may store to, or changes them atomically
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
 	bool bGroupsInOrder = false; // compute: groups run one after the other
 	std::string PartedBarrier; // compute: "X.usf:12" of a barrier that not all threads of a group come to; empty: none

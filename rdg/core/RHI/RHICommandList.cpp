@@ -124,6 +124,10 @@ void FRHIComputeCommandList::DispatchComputeShader(
 	{
 		return;
 	}
+	if (const std::string Fault = Drydock::FindTooManyGroups(BoundCompute, Counts); !Fault.empty())
+	{
+		Counters.AddRemark({Drydock::ESeverity::Note, 2056, Fault, {}, 0, 0, "shader class " + BoundCompute.Name});
+	}
 	// Whole groups per tile: threads of one group share a tile.
 	const FIntPoint Chosen = ChooseTileSize(Whole);
 	const FIntVector TileSize(RoundUp(Chosen.X, GroupSize[0]), RoundUp(Chosen.Y, GroupSize[1]), GroupSize[2]);
@@ -149,8 +153,8 @@ void FRHIComputeCommandList::RunTiles(
 	std::atomic<uint64> MeasuredTaps{0};
 	const uint64 FallbacksBefore = Drydock::GetNativeFallbacks();
 	bool bOnBackend = false;
-	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
-	if (Observer)
+	const std::vector<Drydock::IDispatchObserver*>& Observers = Drydock::GetDispatchObservers();
+	for (Drydock::IDispatchObserver* const Observer : Observers)
 	{
 		Observer->BeforeDispatch(Shader, Args, Whole);
 	}
@@ -177,9 +181,9 @@ void FRHIComputeCommandList::RunTiles(
 				Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
 		}
 	}
-	if (Observer)
+	for (auto Observer = Observers.rbegin(); Observer != Observers.rend(); ++Observer)
 	{
-		Observer->AfterDispatch(Shader, Args, Whole);
+		(*Observer)->AfterDispatch(Shader, Args, Whole);
 	}
 
 	const uint64 Pixels =

@@ -218,6 +218,7 @@ void BindShaderParameters(
 	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
 	FollowShaderBindingPlan(*Plan, *Out.Reflection, Parameters, Out);
+	CheckStrides(*Plan, Out, Parameters);
 	if (!Out.Native && !Compiled->Reflection.bQuads && ChoosesMips(Out))
 	{
 		const std::shared_ptr<const FCompiledShader> ByQuads = GetCompiledShader(Shader, true);

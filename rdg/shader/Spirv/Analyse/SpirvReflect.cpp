@@ -434,6 +434,8 @@ FSpirvReflection FReflector::Run()
 		{
 			Reflection.bUsesDiscard =
 				Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpDemote || I.Op == OpFunctionCall;
+			Reflection.bLoadsStored =
+				Reflection.bLoadsStored || I.Op == OpImageRead || I.Op == OpImageTexelPointer || I.Op == OpFunctionCall;
 		}
 	}
 	const FSpirvGroupUse Groups = FindGroupUse(Module);

@@ -1,9 +1,11 @@
-// What `drydock run --check` finds in the shipped shaders, and why each is no fault: rows of docs/stability.md.
+// Lists findings of `drydock run --check` in the shipped shaders that are not faults, with the reasons: rows of
+// docs/stability.md.
 #pragma once
 
-namespace Stability
+namespace Drydock
 {
 
+/** A finding in one of drydock's own shaders that is not a fault. `run --check` leaves it out. */
 struct FStatedFinding
 {
 	const char* Check;
@@ -32,4 +34,4 @@ inline constexpr FStatedFinding StatedFindings[] = {
 	{"denormal", "UnityBloom.usf", "a blur's tail fades away through the smallest numbers of a format"},
 };
 
-} // namespace Stability
+} // namespace Drydock
