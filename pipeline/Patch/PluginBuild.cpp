@@ -161,7 +161,14 @@ std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
 					  ": add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)";
 		}
 	}
-	return Advice;
+	const bool bGraphTexture = std::any_of(Errors.begin(), Errors.end(),
+		[](const std::string& Line)
+		{
+			return Line.find("FRDGTexture") != std::string::npos && Line.find("FRHITexture") != std::string::npos;
+		});
+	return Advice + (bGraphTexture ? "\n  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
+									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)"
+								   : "");
 }
 
 /** The errors among the output of the compiler and the linker. */

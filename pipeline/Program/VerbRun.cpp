@@ -4,6 +4,7 @@
 #include "Inspect/FirstCause.h"
 #include "Overlay/OverlayFolder.h"
 #include "PrintText.h"
+#include "Program/FindingsOption.h"
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -15,10 +16,13 @@
 #include "Program/WatchLoop.h"
 #include "Report/RunReport.h"
 #include "Run/CostModel.h"
+#include "Run/PassesCsv.h"
 #include "Run/Run.h"
 #include "Run/RunOutputs.h"
+#include "Run/ShaderWarnings.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
 #include "Text/WatchedFiles.h"
 
 #include <chrono>
@@ -36,6 +40,8 @@ namespace
 
 struct FRunVerbOptions : FFramesOptions
 {
+	FFindingsOptions Findings;
+	std::string Csv;     // file to write; empty: none
 	bool bWatch = false; // run again whenever something changes
 	FInspectVerbOptions Inspect;
 };
@@ -89,6 +95,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
 	FRunInspection Inspection(MakeInspectOptions(Options.Inspect, Options.Run));
+	const FShaderWarnings Warnings;
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
@@ -98,9 +105,18 @@ int RunOnce(const FRunVerbOptions& Options)
 		{
 			Observed.emplace(Inspection);
 		}
-		return RunToFirstCause(Session, RunOptions);
+		try
+		{
+			return RunToFirstCause(Session, RunOptions);
+		}
+		catch (const FError&)
+		{
+			PrintDiagnostics(Warnings.Find()); // the cause may be among them
+			throw;
+		}
 	}();
 	Bar.Clear();
+	PrintDiagnostics(Warnings.Find());
 	PrintDiagnostics(Result.Diagnostics);
 	PrintDiagnostics(Inspection.GetDiagnostics());
 	const std::string Seen = Inspection.Write(Output->GetAside(), GetOutputWidth());
@@ -110,6 +126,10 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const double SaveMs =
 		WriteRunOutputs(Result, *Output, Report != EReport::Off ? AddReport : FFurtherOutputs(nullptr));
+	if (!Options.Csv.empty())
+	{
+		WriteTextFile(Options.Csv, MakePassesCsv(Result));
+	}
 	Output.reset();           // whoever watches for the summary may start the next run
 	if (Inspection.IsEmpty()) // else its times are the interpreter's
 	{
@@ -299,8 +319,31 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);
+	Verb.Add(
+			"--final",
+			[Options](const std::string& Word)
+			{
+				if (Word == "linear")
+				{
+					Options->Run.Variables.push_back("r.HDR.Display.OutputDevice=9");
+				}
+			},
+			"Numbers of final.exr: encoded for the output device (default), or linear, the light of the display in "
+			"half "
+			"floats (r.HDR.Display.OutputDevice 9)")
+		.RequireOneOf({"encoded", "linear"});
+	Verb.Add("--csv", Options->Csv, "Write a table of the passes and their times for spreadsheets").SetType("FILE");
+	AddFindings(Verb, Options->Findings, "a case for the frame");
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
-	return CallWith(Options, RunOrWatch);
+	return [Options]
+	{
+		return CallWithFindings(Options->Findings, "run", Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite)
+			{
+				Suite.Cases.push_back({.Name = "frame"});
+				return RunOrWatch(*Options);
+			});
+	};
 }
 
 } // namespace Drydock

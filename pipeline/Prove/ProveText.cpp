@@ -40,22 +40,6 @@ std::string FormatFirstPass(const FFirstDifference& Pass)
 	return Text;
 }
 
-std::string FormatDifference(const FProven& Proven)
-{
-	std::string Text;
-	if (!Proven.Error.empty())
-	{
-		return "      " + Proven.Error + "\n";
-	}
-	if (Proven.FirstPass)
-	{
-		Text += FormatFirstPass(*Proven.FirstPass);
-	}
-	Text += Proven.Final ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
-						 : "      the final picture is " + Proven.OtherSize + "\n";
-	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
-}
-
 std::string FormatVerdict(const FProven& Proven)
 {
 	if (!Proven.NotRun.empty())
@@ -85,6 +69,22 @@ void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& P
 
 } // namespace
 
+std::string DescribeDifference(const FProven& Proven)
+{
+	std::string Text;
+	if (!Proven.Error.empty())
+	{
+		return "      " + Proven.Error + "\n";
+	}
+	if (Proven.FirstPass)
+	{
+		Text += FormatFirstPass(*Proven.FirstPass);
+	}
+	Text += Proven.Final ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
+						 : "      the final picture is " + Proven.OtherSize + "\n";
+	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
+}
+
 std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width)
 {
 	std::string Text = Config + " gives the same picture:\n";
@@ -94,7 +94,7 @@ std::string MakeProveText(const std::string& Config, const std::vector<FProven>&
 	for (const FProven& One : Proven)
 	{
 		Table.Rows.push_back({One.Equivalence->Name, One.Equivalence->What, FormatVerdict(One)});
-		Differences += One.Holds() ? "" : "  " + One.Equivalence->Name + ":\n" + FormatDifference(One);
+		Differences += One.Holds() ? "" : "  " + One.Equivalence->Name + ":\n" + DescribeDifference(One);
 		NumBroken += One.Holds() ? 0 : 1;
 	}
 	return Text + Table.Format(Width, "  ") + Differences +
