@@ -208,7 +208,10 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 	const FCodeOwner* const Owner = GetRunningCode();
 	const std::string Name = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
 	Passes.push_back(Name);
-	if (!IsPassNamed(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
+	const bool bOfPlugin = Owner != nullptr && !Owner->Plugin.empty();
+	bPluginRan = bPluginRan || bOfPlugin;
+	if (Request.Pass.empty() ? !bOfPlugin
+							 : !IsPassNamed(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
 	{
 		return;
 	}
@@ -293,9 +296,13 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 
 const std::vector<FHazardRow>& FHazardCapture::GetRows() const
 {
-	if (!Rows.empty())
+	if (!Rows.empty() || (Request.Pass.empty() && bPluginRan))
 	{
 		return Rows;
+	}
+	if (Request.Pass.empty() && !bPluginRan)
+	{
+		throw BadArgument("no pass of a plugin ran a shader; name a pass", "--pass");
 	}
 	const bool bFits = std::any_of(
 		Passes.begin(), Passes.end(), [this](const std::string& Pass) { return IsPassNamed(Request.Pass, Pass); });

@@ -54,7 +54,7 @@ struct FHazardRow
 
 struct FHazardRequest
 {
-	std::string Pass;  // pattern with * and ?, of a pass's name or its shader's
+	std::string Pass;  // pattern with * and ?, of a pass's name or its shader's; empty: all passes of plugins
 	std::string Input; // as the shader calls it; empty: the first that has red, green and blue
 };
 
@@ -66,12 +66,14 @@ public:
 
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** One at least. Throws FError (DD1020): no pass fits, or none reads such a texture. */
+	/** One at least; none where no pass is named and those of plugins read no picture. Throws FError (DD1020): no pass
+	 * fits, or none reads such a texture. */
 	const std::vector<FHazardRow>& GetRows() const;
 
 private:
 	const FHazardRequest Request;
 	std::vector<FHazardRow> Rows;
+	bool bPluginRan = false;         // a pass of a plugin did
 	std::vector<std::string> Passes; // all that ran a shader
 	std::vector<std::string> Inputs; // textures of those that fit
 };

@@ -99,18 +99,6 @@ void RequireCompiler(const std::string& Compiler)
 		"there is no C++ compiler in PATH: c++, g++ and clang++ were looked for; --compiler names another");
 }
 
-std::string FindStockConfig()
-{
-	const Files::path Config = Files::path(FindTemplates()) / "matrix.json";
-	std::error_code Error;
-	if (!Files::is_regular_file(Config, Error))
-	{
-		Fail(ErrorMatrixFrame, ExitFiles, Config.string(),
-			"drydock's own frame is missing: is it installed completely? A config behind PLUGIN_DIR does as well");
-	}
-	return Config.string();
-}
-
 /** Reports a config that cannot be read before minutes of building. */
 void RequireConfig(const std::string& Config)
 {
@@ -119,18 +107,6 @@ void RequireConfig(const std::string& Config)
 	{
 		throw FError(Document.Diagnostics, ExitUsage);
 	}
-}
-
-std::string FindThisProgram()
-{
-	std::error_code Error;
-	const Files::path Program = Files::read_symlink("/proc/self/exe", Error);
-	if (Error)
-	{
-		Fail(ErrorMatrixProgram, ExitFiles, "/proc/self/exe",
-			"drydock cannot find its own program, which it starts for each version: " + Error.message());
-	}
-	return Program.string();
 }
 
 /** Empty rows for all versions. */
@@ -385,6 +361,30 @@ void WriteSheet(const FVersionMatrix& Matrix, const std::string& File)
 }
 
 } // namespace
+
+std::string FindStockConfig()
+{
+	const Files::path Config = Files::path(FindTemplates()) / "matrix.json";
+	std::error_code Error;
+	if (!Files::is_regular_file(Config, Error))
+	{
+		Fail(ErrorMatrixFrame, ExitFiles, Config.string(),
+			"drydock's own frame is missing: is it installed completely? A config behind PLUGIN_DIR does as well");
+	}
+	return Config.string();
+}
+
+std::string FindThisProgram()
+{
+	std::error_code Error;
+	const Files::path Program = Files::read_symlink("/proc/self/exe", Error);
+	if (Error)
+	{
+		Fail(ErrorMatrixProgram, ExitFiles, "/proc/self/exe",
+			"drydock cannot find its own program, which it starts for each version: " + Error.message());
+	}
+	return Program.string();
+}
 
 std::vector<std::string> MakeRunArguments(
 	const std::string& Program, const FVersionMatrix& Matrix, const FMatrixRow& Row)

@@ -193,7 +193,8 @@ std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix)
 			.Outcome = !bAsked  ? EJUnitOutcome::Skipped
 					   : bHolds ? EJUnitOutcome::Passed
 								: EJUnitOutcome::Failed,
-			.Message = bAsked && bHolds ? "" : Message});
+			.Message = bAsked && bHolds ? "" : Message,
+			.Rule = "version"});
 	};
 	const auto Describe = [](const std::optional<FMatrixMessage>& Error, const std::string& Otherwise)
 	{

@@ -22,8 +22,8 @@ enum class EImageEncoding
 struct FImageErrorOptions
 {
 	EImageEncoding Encoding = EImageEncoding::Linear;
-	int NumChannels = 0; // the first ones only; 0: all
-	bool bSsim = true;   // the one figure that takes long; else it is 1
+	int NumChannels = 0;    // the first ones only; 0: all
+	bool bPerceived = true; // SSIM and FLIP, the figures that take long; else 1 and 0
 };
 
 struct FImageError
@@ -44,6 +44,8 @@ struct FImageError
 	double Psnr = 0.0;
 	/** 1 at most, 1 where nothing differs: see ComputeSsim. */
 	double Ssim = 1.0;
+	/** 0 to 1, 0 where nothing differs: the mean of ComputeFlip (ImageFlip.h). */
+	double Flip = 0.0;
 	/** The peak of PSNR: the reference's largest value, at least 1. */
 	double Peak = 1.0;
 	/** Values that are NaN or infinite in one image and something else in the other. Then Max, Rms and Relative are
@@ -54,7 +56,7 @@ struct FImageError
 /** A against the reference B, which have the same size and number of channels (checked). */
 DRYDOCK_API FImageError CompareImages(const FImage& A, const FImage& B, const FImageErrorOptions& Options = {});
 
-/** One figure of an error by name: max, rms, relative, psnr, ssim. An unknown name: NaN. */
+/** One figure of an error by name: max, rms, relative, psnr, ssim, flip. An unknown name: NaN. */
 DRYDOCK_API double GetMetric(const FImageError& Error, const std::string& Metric);
 DRYDOCK_API const std::vector<std::string>& GetMetricNames();
 /** psnr and ssim grow as images come closer. */

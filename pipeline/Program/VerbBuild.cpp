@@ -54,7 +54,8 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 	Verb.Add("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default").SetType("DIR");
 	Verb.Add("--name", Options->Build.Name, "Name of the library; the name of the .uplugin by default").SetType("NAME");
 	Verb.Add("--engine-minor", Options->Build.EngineMinor,
-			"Compile for engine 5.X, and refuse names that it does not have; by default for the version in the .uplugin or "
+			"Compile for engine 5.X, and refuse names that it does not have; by default for the version in the "
+			".uplugin or "
 			".uproject, else for 5.4")
 		.SetType("X")
 		.RequireRange(1, 99);

@@ -1,8 +1,10 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
+#include "Picture/ImageFlip.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
 #include "PrintText.h"
-#include "Program/JUnitOption.h"
+#include "Program/Baseline.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
@@ -41,15 +43,17 @@ namespace Files = std::filesystem;
 
 struct FDiffOptions
 {
-	std::string A; // an image, or the folder of a run
-	std::string B; // what A is measured against, of the same kind
+	std::string A;          // an image, or the folder of a run
+	std::string B;          // what A is measured against, of the same kind
+	bool bBaseline = false; // B must be a baseline
 	std::optional<double> Max;
+	std::string FlipMap; // PNG to write of FLIP; of two folders the folder for one of each image; empty: none
 	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
 	bool bJson = false;
 	int NumRepeats = 0;                    // runs of each side, to measure times; 0: none
 	std::string Report;                    // "on", "off"; empty: off
 	std::string OutputFolder = "out/diff"; // of the page
-	std::string JUnit;                     // file to write; empty: none
+	FFindingsOptions Findings;
 };
 
 struct FPair
@@ -188,8 +192,8 @@ void WidenToBoth(FComparedImage& A, FComparedImage& B)
 	A.Window = B.Window = Both;
 }
 
-/** HeatMap: a file to write, or empty. Page: where the pictures go, too; or none. */
-void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& Page)
+/** HeatMap, FlipMap: files to write, or empty. Page: where the pictures go, too; or none. */
+void Compare(FPair& Pair, const std::string& HeatMap, const std::string& FlipMap, std::optional<FDiffPage>& Page)
 {
 	FComparedImage A = ReadComparedImage(Pair.A);
 	FComparedImage B = ReadComparedImage(Pair.B);
@@ -226,16 +230,21 @@ void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& 
 		const double Full = std::isfinite(Pair.Error.Max) ? Pair.Error.Max : Pair.Error.Peak;
 		WritePicture(HeatMap, MakeHeatMap(A.Image, B.Image, Full));
 	}
+	if (!FlipMap.empty())
+	{
+		WritePicture(FlipMap, MakeFlipMap(A.Image, B.Image, A.Encoding));
+	}
 }
 
 std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 {
-	std::vector<std::vector<std::string>> Rows = {{"image", "max", "rms", "relative", "PSNR dB", "SSIM", "largest at"}};
+	std::vector<std::vector<std::string>> Rows = {
+		{"image", "max", "rms", "relative", "PSNR dB", "SSIM", "FLIP", "largest at"}};
 	for (const FPair& Pair : Pairs)
 	{
 		if (Pair.A.empty() || Pair.B.empty())
 		{
-			Rows.push_back({Pair.Name, Pair.A.empty() ? "only in B" : "only in A", "", "", "", "", ""});
+			Rows.push_back({Pair.Name, Pair.A.empty() ? "only in B" : "only in A", "", "", "", "", "", ""});
 			continue;
 		}
 		const FImageError& Error = Pair.Error;
@@ -245,11 +254,12 @@ std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 								   Pair.Channels[static_cast<size_t>(Error.MaxChannel)], Error.MaxA, Error.MaxB);
 		Rows.push_back({Pair.Name, fmt::format("{:.4g}", Error.Max), fmt::format("{:.4g}", Error.Rms),
 			fmt::format("{:.4g}", Error.Relative), fmt::format("{:.2f}", Error.Psnr), fmt::format("{:.6f}", Error.Ssim),
-			Where});
+			fmt::format("{:.5f}", Error.Flip), Where});
 	}
 	constexpr ETextColumn Number = ETextColumn::Number;
 	return FTextTable{
-		{{ETextColumn::Name}, {Number}, {Number}, {Number, 2}, {Number}, {Number, 1}, {ETextColumn::Text}}, Rows}
+		{{ETextColumn::Name}, {Number}, {Number}, {Number, 2}, {Number}, {Number, 1}, {Number}, {ETextColumn::Text}},
+		Rows}
 		.Format(GetOutputWidth());
 }
 
@@ -257,16 +267,17 @@ std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 {
 	const bool bBoth = !Pair.A.empty() && !Pair.B.empty();
-	FJUnitCase Case{Pair.Name};
+	FJUnitCase Case{.Name = Pair.Name, .Rule = "difference"};
 	if (!bBoth)
 	{
 		Case.Output = Pair.A.empty() ? "only in " + Options.B : "only in " + Options.A;
 	}
 	else
 	{
-		Case.Output = fmt::format("max {:.6g} at ({}, {}), rms {:.6g}, relative {:.6g}, PSNR {:.2f} dB, SSIM {:.6f}",
-			Pair.Error.Max, Pair.Error.MaxX, Pair.Error.MaxY, Pair.Error.Rms, Pair.Error.Relative, Pair.Error.Psnr,
-			Pair.Error.Ssim);
+		Case.Output =
+			fmt::format("max {:.6g} at ({}, {}), rms {:.6g}, relative {:.6g}, PSNR {:.2f} dB, SSIM {:.6f}, FLIP {:.5f}",
+				Pair.Error.Max, Pair.Error.MaxX, Pair.Error.MaxY, Pair.Error.Rms, Pair.Error.Relative, Pair.Error.Psnr,
+				Pair.Error.Ssim, Pair.Error.Flip);
 	}
 	if (Options.Max && !(bBoth && Pair.Error.Max <= *Options.Max))
 	{
@@ -329,8 +340,8 @@ std::optional<FRunsCompared> CompareRecords(const FDiffOptions& Options)
 	return Compared;
 }
 
-/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}], and of
- * two runs differences: [{kind, name, a, b}], times} */
+/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, flip, nonFinite, at, channel}],
+ * and of two runs differences: [{kind, name, a, b}], times} */
 std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options,
 	const std::optional<FRunsCompared>& Runs, bool bPassed)
 {
@@ -370,9 +381,9 @@ std::string MakeRunsText(const FRunsCompared& Runs)
 	return "\n" + FormatRunDifferences(Runs.Differences, MaxRows, GetOutputWidth()) + Times;
 }
 
-std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool bFolders)
+std::string GetMapFile(const std::string& Map, const FPair& Pair, bool bFolders)
 {
-	return HeatMap.empty() || !bFolders ? HeatMap : (Files::path(HeatMap) / (Pair.Name + ".png")).string();
+	return Map.empty() || !bFolders ? Map : (Files::path(Map) / (Pair.Name + ".png")).string();
 }
 
 const FOutputNames& GetDiffOutputNames()
@@ -399,6 +410,10 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	{
 		throw BadArgument("runs both again: it needs the folders of two runs", "--repeat");
 	}
+	if (Options.bBaseline || (bFolders && IsBaseline(Options.B)))
+	{
+		CheckBaseline(Options.B);
+	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};
@@ -414,7 +429,8 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	{
 		if (!Pair.A.empty() && !Pair.B.empty())
 		{
-			Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders), Page);
+			Compare(
+				Pair, GetMapFile(Options.HeatMap, Pair, bFolders), GetMapFile(Options.FlipMap, Pair, bFolders), Page);
 		}
 		Suite.Cases.push_back(MakeCase(Pair, Options));
 		bPassed = bPassed && Suite.Cases.back().Outcome == EJUnitOutcome::Passed;
@@ -446,11 +462,15 @@ FVerbCall AddDiffOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FDiffOptions>();
 	Verb.Add("A", Options->A, "First image, or folder of a run").Require();
 	Verb.Add("B", Options->B, "Second image or folder, of the same kind and size").Require();
+	Verb.AddFlag("--baseline", Options->bBaseline, "Refuse a B that is not a baseline, as drydock bless makes it");
 	Verb.Add("--max", Options->Max, "Exit with code 1 if a value differs by more than this")
 		.RequireNonNegative()
 		.SetType("M");
 	Verb.Add("--heatmap", Options->HeatMap,
 			"Write a PNG that shows the error, over four decades; for two runs a folder with a PNG for each picture")
+		.SetType("FILE");
+	Verb.Add("--flipmap", Options->FlipMap,
+			"Write a PNG of FLIP, the difference that a person sees between the pictures; for two runs a folder")
 		.SetType("FILE");
 	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
 	Verb.Add("--repeat", Options->NumRepeats,
@@ -459,11 +479,11 @@ FVerbCall AddDiffOptions(FVerbOptions& Verb)
 		.SetType("N");
 	AddReport(
 		Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making", false);
-	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
+	AddFindings(Verb, Options->Findings, "a case for each pair of pictures");
 	Verb.AddFlag("--json", Options->bJson, "Print the error figures as JSON");
 	return [Options]
 	{
-		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
+		return CallWithFindings(Options->Findings, "diff", Options->A + " against " + Options->B,
 			[&Options](FJUnitSuite& Suite) { return Diff(*Options, Suite); });
 	};
 }

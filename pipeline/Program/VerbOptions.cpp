@@ -38,6 +38,12 @@ void AddTrust(FVerbOptions& Verb, FRunOptions& Options)
 		"Write nothing to the shader cache; missing shaders are compiled for this run only");
 }
 
+void AddPlugins(FVerbOptions& Verb, FRunOptions& Options)
+{
+	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
+		"Load a plugin; replaces the config's plugin of the same file name; repeats");
+}
+
 void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired)
 {
 	const FVerbOption Config = Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json");
@@ -55,8 +61,7 @@ void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired)
 		.SetType(FindConfigKey("", "engine")->Of);
 	Verb.AddRepeated("--overlay", "DIR", Options.Overlays,
 		"Put an engine overlay in place of drydock's own files, beside the config's overlays; repeats");
-	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
-		"Load a plugin; replaces the config's plugin of the same file name; repeats");
+	AddPlugins(Verb, Options);
 	AddTrust(Verb, Options);
 }
 

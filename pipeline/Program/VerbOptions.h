@@ -13,6 +13,9 @@ namespace Drydock
 /** --set and --exec, in the order in which they were given. */
 void AddVariables(FVerbOptions& Verb, FRunOptions& Options);
 
+/** Adds --plugin. */
+void AddPlugins(FVerbOptions& Verb, FRunOptions& Options);
+
 /** Adds the options for a config from a stranger: --no-plugins and --read-only-cache. */
 void AddTrust(FVerbOptions& Verb, FRunOptions& Options);
 

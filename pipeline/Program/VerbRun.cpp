@@ -4,6 +4,7 @@
 #include "Inspect/FirstCause.h"
 #include "Overlay/OverlayFolder.h"
 #include "PrintText.h"
+#include "Program/FindingsOption.h"
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -15,11 +16,14 @@
 #include "Program/WatchLoop.h"
 #include "Report/RunReport.h"
 #include "Run/CostModel.h"
+#include "Run/PassesCsv.h"
 #include "Run/Run.h"
 #include "Run/RunAgain.h"
 #include "Run/RunOutputs.h"
+#include "Run/ShaderWarnings.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
 #include "Text/WatchedFiles.h"
 
 #include <chrono>
@@ -37,6 +41,8 @@ namespace
 
 struct FRunVerbOptions : FFramesOptions
 {
+	FFindingsOptions Findings;
+	std::string Csv;     // file to write; empty: none
 	bool bWatch = false; // run again whenever something changes
 	std::string Again;   // run.json of a run to repeat; empty: none
 	FRunInputs Before;   // that it depended on
@@ -93,6 +99,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
 	FRunInspection Inspection(MakeInspectOptions(Options.Inspect, Options.Run));
+	const FShaderWarnings Warnings;
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
@@ -102,9 +109,18 @@ int RunOnce(const FRunVerbOptions& Options)
 		{
 			Observed.emplace(Inspection);
 		}
-		return RunToFirstCause(Session, RunOptions);
+		try
+		{
+			return RunToFirstCause(Session, RunOptions);
+		}
+		catch (const FError&)
+		{
+			PrintDiagnostics(Warnings.Find()); // the cause may be among them
+			throw;
+		}
 	}();
 	Bar.Clear();
+	PrintDiagnostics(Warnings.Find());
 	PrintDiagnostics(Result.Diagnostics);
 	PrintDiagnostics(Options.Again.empty() ? std::vector<FDiagnostic>()
 										   : FindChangedInputs(Options.Before, Result.Inputs, Options.Again));
@@ -119,6 +135,10 @@ int RunOnce(const FRunVerbOptions& Options)
 	};
 	const double SaveMs =
 		WriteRunOutputs(Result, *Output, Report != EReport::Off ? AddReport : FFurtherOutputs(nullptr));
+	if (!Options.Csv.empty())
+	{
+		WriteTextFile(Options.Csv, MakePassesCsv(Result));
+	}
 	Output.reset();           // whoever watches for the summary may start the next run
 	if (Inspection.IsEmpty()) // else its times are the interpreter's
 	{
@@ -341,8 +361,31 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);
+	Verb.Add(
+			"--final",
+			[Options](const std::string& Word)
+			{
+				if (Word == "linear")
+				{
+					Options->Run.Variables.push_back("r.HDR.Display.OutputDevice=9");
+				}
+			},
+			"Numbers of final.exr: encoded for the output device (default), or linear, the light of the display in "
+			"half "
+			"floats (r.HDR.Display.OutputDevice 9)")
+		.RequireOneOf({"encoded", "linear"});
+	Verb.Add("--csv", Options->Csv, "Write a table of the passes and their times for spreadsheets").SetType("FILE");
+	AddFindings(Verb, Options->Findings, "a case for the frame");
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
-	return CallWith(Options, RunOrWatch);
+	return [Options]
+	{
+		return CallWithFindings(Options->Findings, "run", Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite)
+			{
+				Suite.Cases.push_back({.Name = "frame"});
+				return RunOrWatch(*Options);
+			});
+	};
 }
 
 } // namespace Drydock

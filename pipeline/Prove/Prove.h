@@ -44,6 +44,11 @@ DRYDOCK_API FViewRect FindPictureView(const FRunResult& Result);
  * the config itself does not run, or (exit code 2) where Only fits no equivalence. */
 DRYDOCK_API std::vector<FProven> ProveConfig(const FProveOptions& Options);
 
+/** Lines about the two frames of an equivalence that does not hold: the first pass, the final picture, the likely
+ * reason.
+ */
+DRYDOCK_API std::string DescribeDifference(const FProven& Proven);
+
 /** A line for each, and what is known of those that do not hold. */
 DRYDOCK_API std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width = 0);
 DRYDOCK_API std::string MakeProveJson(const std::string& Config, const std::vector<FProven>& Proven);

@@ -40,28 +40,6 @@ std::string FormatFirstPass(const FFirstDifference& Pass)
 	return Text;
 }
 
-std::string FormatDifference(const FProven& Proven)
-{
-	std::string Text;
-	if (!Proven.Error.empty())
-	{
-		return "      " + Proven.Error + "\n";
-	}
-	if (!Proven.Unwritten.empty())
-	{
-		return "      " + Proven.Unwritten +
-			   "\n      the frame is not repeatable on a GPU, and nothing else is judged\n";
-	}
-	if (Proven.FirstPass)
-	{
-		Text += FormatFirstPass(*Proven.FirstPass);
-	}
-	Text += Proven.MayBeMeant() ? ""
-			: Proven.Final      ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
-								: "      the final picture is " + Proven.OtherSize + "\n";
-	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
-}
-
 std::string FormatVerdict(const FProven& Proven)
 {
 	if (!Proven.NotRun.empty())
@@ -95,6 +73,28 @@ void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& P
 
 } // namespace
 
+std::string DescribeDifference(const FProven& Proven)
+{
+	std::string Text;
+	if (!Proven.Error.empty())
+	{
+		return "      " + Proven.Error + "\n";
+	}
+	if (!Proven.Unwritten.empty())
+	{
+		return "      " + Proven.Unwritten +
+			   "\n      the frame is not repeatable on a GPU, and nothing else is judged\n";
+	}
+	if (Proven.FirstPass)
+	{
+		Text += FormatFirstPass(*Proven.FirstPass);
+	}
+	Text += Proven.MayBeMeant() ? ""
+			: Proven.Final      ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
+								: "      the final picture is " + Proven.OtherSize + "\n";
+	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
+}
+
 std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width)
 {
 	std::string Text = Config + " gives the same picture:\n";
@@ -105,7 +105,7 @@ std::string MakeProveText(const std::string& Config, const std::vector<FProven>&
 	{
 		Table.Rows.push_back({One.Equivalence->Name, One.Equivalence->What, FormatVerdict(One)});
 		Differences +=
-			One.Holds() && !One.MayBeMeant() ? "" : "  " + One.Equivalence->Name + ":\n" + FormatDifference(One);
+			One.Holds() && !One.MayBeMeant() ? "" : "  " + One.Equivalence->Name + ":\n" + DescribeDifference(One);
 		NumBroken += One.Holds() ? 0 : 1;
 	}
 	return Text + Table.Format(Width, "  ") + Differences +

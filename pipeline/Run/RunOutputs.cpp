@@ -1,6 +1,7 @@
 // Writes a run's pictures and reports aside and moves them into place.
 #include "Run/RunOutputs.h"
 
+#include "Picture/ExrWriter.h"
 #include "Picture/Preview.h"
 #include "Picture/TextureImage.h"
 #include "RenderGraphDump.h"
@@ -37,6 +38,13 @@ void MakeFolder(const Files::path& Folder)
 
 using FJobs = std::vector<std::function<void()>>;
 
+/** Attributes by which other programs know the meaning of a picture's numbers. Encoding: as GetEncodingName has it. */
+std::map<std::string, std::string> MakeColorAttributes(const std::string& Encoding)
+{
+	const bool bWide = Encoding.find("2020") != std::string::npos;
+	return {{ChromaticitiesName, bWide ? "Rec.2020" : "Rec.709"}, {"drydock:encoding", Encoding}};
+}
+
 void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKind Kind, FJobs& Jobs)
 {
 	if (Kind == EOutputKind::Png)
@@ -56,13 +64,13 @@ void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKin
 	Jobs.push_back(
 		[&Result, File = (Folder / "scene_linear.exr").string()] {
 			WriteExr(
-				File, Result.SceneLinear, GetChannelNames(4), {{"drydock:encoding", "linear Rec.709, scene-referred"}});
+				File, Result.SceneLinear, GetChannelNames(4), MakeColorAttributes("linear Rec.709, scene-referred"));
 		});
 	Jobs.push_back(
 		[&Result, File = (Folder / "final.exr").string()]
 		{
 			WriteExr(File, Result.Final.Take(3), GetChannelNames(3),
-				{{"drydock:encoding", GetEncodingName(Result.OutputDevice)}});
+				MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
 		});
 }
 

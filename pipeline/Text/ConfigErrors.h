@@ -59,6 +59,8 @@ enum EConfigError
 	ErrorImageTooLarge = 5005,  // larger than any frame
 	ErrorImagesDiffer = 5006,   // two images of different kinds or sizes cannot be compared
 	ErrorStackTooSmall = 5009,  // ulimit -s
+	ErrorNotBlessed = 5036,     // a baseline without a record, or of which a file is not the recorded one
+	ErrorColorCube = 5035,      // not a .cube file, or not a table of three dimensions
 
 	// DD6: shaders
 	WarnDebug = 6060, // --debug-shaders: a shader that no debugger can be given, or no debugger

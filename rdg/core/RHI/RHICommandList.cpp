@@ -212,6 +212,16 @@ void FRHIComputeCommandList::RunTiles(
 				"on",
 			{}, 0, 0, "shader class " + Shader.Name});
 	}
+	if (Shader.GetReflection().NumTargets > Args.NumTargets && Args.NumTargets > 0)
+	{
+		Counters.AddRemark({Drydock::ESeverity::Warning, 6023,
+			"the shader writes SV_Target" + std::to_string(Shader.GetReflection().NumTargets - 1) +
+				", and the pass binds " + std::to_string(Args.NumTargets) +
+				(Args.NumTargets == 1 ? " render target" : " render targets") +
+				": what it writes there is lost; set RenderTargets[" +
+				std::to_string(Shader.GetReflection().NumTargets - 1) + "]",
+			{}, 0, 0, "shader class " + Shader.Name});
+	}
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static

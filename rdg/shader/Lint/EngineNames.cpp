@@ -52,10 +52,6 @@ std::vector<size_t> ListDefinitions(const FHlslText& Text)
 	return Names;
 }
 
-namespace
-{
-
-/** A file that drydock ships, and no other in its place. */
 bool IsShipped(const std::string& File, const FShaderCompileRequest& Request)
 {
 	const bool bGenerated = std::any_of(Request.GeneratedFiles.begin(), Request.GeneratedFiles.end(),
@@ -64,6 +60,9 @@ bool IsShipped(const std::string& File, const FShaderCompileRequest& Request)
 	const std::string Root = FindShippedShaders();
 	return Real.starts_with(Root + "/rdg/graph/Shaders/") || Real.starts_with(Root + "/passes/Shaders/");
 }
+
+namespace
+{
 
 /** The row of a name, or of the file of that virtual path; null: the table has none. */
 const FEngineName* FindRow(const std::string& Name)

@@ -28,6 +28,9 @@ DRYDOCK_API const std::vector<FEngineName>& GetEngineNames();
 /** The tokens of the names that a text defines at file scope: functions, structs, constants. */
 DRYDOCK_API std::vector<size_t> ListDefinitions(const FHlslText& Text);
 
+/** Whether the virtual path is a file that drydock ships, and no other in its place. */
+DRYDOCK_API bool IsShipped(const std::string& File, const FShaderCompileRequest& Request);
+
 struct FNotInEngine
 {
 	std::string File; // virtual path
