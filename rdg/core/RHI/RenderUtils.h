@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PixelFormat.h"
+#include "RHIStates.h"
 #include "RenderResource.h"
 
 /** Alpha of the scene colour reaches the tonemapper; drydock always keeps it. */
