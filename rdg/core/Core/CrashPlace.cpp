@@ -193,8 +193,7 @@ void FindCrashPlace(const void* Context, FCrashPlace& OutPlace)
 			{
 				RunAddressTool(Info.dli_fname, OutPlace.Offset, Lines, sizeof(Lines));
 				ReadLines(Lines, OutPlace);
-				OutPlace.bOfDrydock =
-					OutPlace.bOfDrydock || (Context != nullptr && OutPlace.Drydock[0] != '\0');
+				OutPlace.bOfDrydock = OutPlace.bOfDrydock || (Context != nullptr && OutPlace.Drydock[0] != '\0');
 			}
 			return;
 		}

@@ -15,9 +15,10 @@ FRunOptions MakeOptions(const std::string& Objects)
 {
 	FRunOptions Options;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/ticking.json";
-	Options.ConfigText = R"({"scene": {"file": "scenes/moving_camera.####.exr", "fps": 4}, "showFlags": {"Bloom": false},
+	Options.ConfigText =
+		R"({"scene": {"file": "scenes/moving_camera.####.exr", "fps": 4}, "showFlags": {"Bloom": false},
 		"plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libTicking.so"], "objects": {)" +
-						 Objects + "}}";
+		Objects + "}}";
 	return Options;
 }
 
@@ -83,8 +84,8 @@ TEST(Ticking, TheConfigCallsFunctions)
 
 	const auto GetBlue = [](const std::string& First)
 	{
-		return GetColor(FRunSession(MakeOptions(R"("UTickingSubsystem": {"call": [{"Start": [)" + First + "]}]}"))
-							.Run(1, {}))[2];
+		return GetColor(
+			FRunSession(MakeOptions(R"("UTickingSubsystem": {"call": [{"Start": [)" + First + "]}]}")).Run(1, {}))[2];
 	};
 	const double Blue = GetBlue("0");
 	EXPECT_EQ(8 + 0.25 * 17, GetBlue("8") - Blue);

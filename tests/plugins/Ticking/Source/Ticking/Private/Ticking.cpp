@@ -1,6 +1,6 @@
 // A plugin whose picture shows how often and with how many seconds the engine has called its objects: one colour over
-// the whole picture. Red: seconds of the actor, and 16 times the component's. Green: calls of a timer, and 16 times those
-// for the next tick. Blue: seconds of the subsystem, and 16 times those of an object that ticks by itself.
+// the whole picture. Red: seconds of the actor, and 16 times the component's. Green: calls of a timer, and 16 times
+// those for the next tick. Blue: seconds of the subsystem, and 16 times those of an object that ticks by itself.
 #include "TickingActor.h"
 
 #include "EngineUtils.h"

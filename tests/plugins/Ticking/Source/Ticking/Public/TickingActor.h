@@ -40,7 +40,10 @@ public:
 		Super::Tick(DeltaTime);
 		Seconds += DeltaTime;
 	}
-	virtual TStatId GetStatId() const override { RETURN_QUICK_DECLARE_CYCLE_STAT(UTickingSubsystem, STATGROUP_Tickables); }
+	virtual TStatId GetStatId() const override
+	{
+		RETURN_QUICK_DECLARE_CYCLE_STAT(UTickingSubsystem, STATGROUP_Tickables);
+	}
 
 	UFUNCTION(BlueprintCallable, Category = "Ticking")
 	void Start(float InFirst);
