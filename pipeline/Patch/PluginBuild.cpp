@@ -164,9 +164,7 @@ std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing)
 	}
 	const bool bGraphTexture = std::any_of(Errors.begin(), Errors.end(),
 		[](const std::string& Line)
-		{
-			return Line.find("FRDGTexture") != std::string::npos && Line.find("FRHITexture") != std::string::npos;
-		});
+		{ return Line.find("FRDGTexture") != std::string::npos && Line.find("FRHITexture") != std::string::npos; });
 	return Advice + (bGraphTexture ? "\n  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
 									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)"
 								   : "");
