@@ -289,7 +289,7 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 	return Case;
 }
 
-/** What the records of two runs say beside their pictures. */
+/** The comparison of two records. */
 struct FRunsCompared
 {
 	std::vector<FRunDifference> Differences;

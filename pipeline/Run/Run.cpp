@@ -49,23 +49,6 @@ FIntRect GetViewRect(const FConfigView& View, const FSceneFile& Scene)
 	return View.Rect.IsSet() ? FIntRect(Corners[0], Corners[1], Corners[2], Corners[3]) + Picture.Min : Picture;
 }
 
-/** Those whose values are not drydock's own defaults. The number of threads changes no bit. */
-std::vector<FRunVariable> ListRunVariables()
-{
-	std::vector<FRunVariable> Variables;
-	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
-	{
-		if (Info.SetBy != TEXT("Constructor") && Info.Name != TEXT("r.Drydock.Threads"))
-		{
-			const std::string By = Info.SetBy == TEXT("ConsoleVariablesIni") ? "config"
-								   : Info.SetBy == TEXT("Commandline")       ? "command line"
-																			 : *Info.SetBy;
-			Variables.push_back({*Info.Name, *Info.Value, By});
-		}
-	}
-	return Variables;
-}
-
 /** The part of the result that is known before the graph. */
 FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 {

@@ -2,6 +2,7 @@
 #include "Run/RunInputs.h"
 
 #include "Extensions/Plugins.h"
+#include "HAL/ConsoleVariableTools.h"
 #include "InstallPaths.h"
 #include "PostProcessSettingsReflection.h"
 #include "Text/Fingerprint.h"
@@ -256,6 +257,22 @@ bool TakeRunArguments(const std::vector<std::string>& Words, const std::string& 
 		}
 	}
 	return true;
+}
+
+std::vector<FRunVariable> ListRunVariables()
+{
+	std::vector<FRunVariable> Variables;
+	for (const FConsoleVariableInfo& Info : ListConsoleVariables())
+	{
+		if (Info.SetBy != TEXT("Constructor") && Info.Name != TEXT("r.Drydock.Threads"))
+		{
+			const std::string By = Info.SetBy == TEXT("ConsoleVariablesIni") ? "config"
+								   : Info.SetBy == TEXT("Commandline")       ? "command line"
+																			 : *Info.SetBy;
+			Variables.push_back({*Info.Name, *Info.Value, By});
+		}
+	}
+	return Variables;
 }
 
 FRunInputs FindRunInputs(const FRunOptions& Options, const FConfig& Config)

@@ -16,6 +16,18 @@ namespace Drydock
  * fingerprint, or the text itself. Paths are relative to the config. The number of threads is not an input. */
 using FRunInputs = std::map<std::string, std::string>;
 
+/** A console variable that somebody set. */
+struct FRunVariable
+{
+	std::string Name;
+	std::string Value;
+	std::string SetBy; // "config", "command line", else as the engine calls it: "Console", "Scalability", "Constructor"
+};
+
+/** The variables whose values are not drydock's own defaults, by name, as they are now. The number of threads changes
+ * no bit and is left out. */
+std::vector<FRunVariable> ListRunVariables();
+
 /** Config: of those options. Files that the config names, plugins among them, count by their contents, and so do the
  * ini files of plugins, which are loaded. Throws FError (exit code 3) when a file cannot be read. */
 DRYDOCK_API FRunInputs FindRunInputs(const FRunOptions& Options, const FConfig& Config);

@@ -74,14 +74,6 @@ struct FRunView
 	std::optional<FExposureReport> Exposure;
 };
 
-/** A console variable that somebody set, or that a plugin brought. */
-struct FRunVariable
-{
-	std::string Name;
-	std::string Value;
-	std::string SetBy; // "config", "command line", else as the engine calls it: "Console", "Scalability", "Constructor"
-};
-
 /** Milliseconds of the run's parts, which add up. */
 struct FRunTimes
 {
