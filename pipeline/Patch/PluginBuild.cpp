@@ -150,7 +150,7 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 }
 
 /** Lines about replacements for the engine's names that drydock does not have. */
-std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing)
+std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others)
 {
 	std::string Advice;
 	for (const char* const Name : {"RegisterPostOpaqueRenderDelegate", "RegisterOverlayRenderDelegate"})
@@ -162,11 +162,13 @@ std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing)
 					  "(FSceneViewExtensionBase)\n";
 		}
 	}
-	const bool bGraphTexture = std::any_of(Errors.begin(), Errors.end(),
-		[](const std::string& Line)
-		{ return Line.find("FRDGTexture") != std::string::npos && Line.find("FRHITexture") != std::string::npos; });
-	return Advice + (bGraphTexture ? "\n  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
-									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)"
+	const bool bGraphTexture = std::ranges::any_of(Others,
+		[](const FCompilerMessage& Error) {
+			return Error.Text.find("FRDGTexture") != std::string::npos &&
+				   Error.Text.find("FRHITexture") != std::string::npos;
+		});
+	return Advice + (bGraphTexture ? "  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
+									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)\n"
 								   : "");
 }
 
@@ -247,7 +249,7 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 	// g++ names a base class that is a template in the source line that it quotes, not in the error.
 	const std::string Graph = AdviseOnCompositionGraph(Log);
 	Fail(ErrorPluginNotCompiled, Build.Folder,
-		DescribeErrors(Missing, Others, Notes) + AdviseOnMissingNames(Missing) +
+		DescribeErrors(Missing, Others, Notes) + AdviseOnMissingNames(Missing, Others) +
 			(Graph.empty() ? "" : "  " + Graph + "\n") + "  full log: " + LogFile);
 }
 

@@ -193,6 +193,9 @@ TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
 	EXPECT_THAT(
 		Message, testing::HasSubstr("TRenderingCompositePassBase belongs to UE4's composition graph, which Unreal 5 "
 									"does not have: write a function that adds the pass with an FRDGBuilder"));
+	Write(Source, "#include \"RenderGraphUtils.h\"\nFRHITexture* F(FRDGTexture* Texture) { return Texture; }\n");
+	EXPECT_THAT(Refuse(Describe()).second,
+		testing::HasSubstr("a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE"));
 	Write(Source, "void F() { Nothing(); }\n");
 	EXPECT_THAT(Refuse(Describe()).second, testing::Not(testing::AnyOf(testing::HasSubstr("drydock does not have"),
 											   testing::HasSubstr("composition graph"))));
