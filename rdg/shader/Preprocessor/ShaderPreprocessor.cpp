@@ -14,6 +14,7 @@ namespace
 
 constexpr size_t MaxText = 32u << 20;
 constexpr size_t MaxOpen = 64;
+constexpr int MaxIncludes = 10000;
 constexpr size_t MaxErrors = 64;
 constexpr int MaxCallLines = 1000; // of one macro call
 
@@ -261,9 +262,10 @@ void FShaderPreprocessor::AppendInclude(const std::string& Rest)
 	{
 		return;
 	}
-	if (Open.size() >= MaxOpen)
+	if (Open.size() >= MaxOpen || ++NumIncludes > MaxIncludes)
 	{
-		Error(6003, "includes are nested too deeply");
+		Error(6003, Open.size() >= MaxOpen ? "includes are nested too deeply" : "there are more than 10000 includes");
+		bSpent = true; // each level may include the next one twice
 		return;
 	}
 	Append(Found.Path, *Found.Text);
@@ -377,7 +379,7 @@ void FShaderPreprocessor::Append(const std::string& FilePath, const std::string&
 	Path = FilePath;
 	FLines Lines(FileText);
 	std::string Line;
-	while (!Macros.IsSpent() && Lines.Read(Line))
+	while (!IsSpent() && Lines.Read(Line))
 	{
 		Number = Lines.First;
 		if (Text.size() > MaxText)
@@ -398,7 +400,7 @@ void FShaderPreprocessor::Append(const std::string& FilePath, const std::string&
 	if (Conditions.size() > NumConditions)
 	{
 		Number = Conditions.back().Line;
-		if (!Macros.IsSpent()) // what follows has not been read
+		if (!IsSpent()) // what follows has not been read
 		{
 			Error(6002, "this #if has no #endif");
 		}

@@ -59,6 +59,7 @@ private:
 	};
 	struct FLines;
 
+	bool IsSpent() const { return bSpent || Macros.IsSpent(); }
 	bool IsActive() const { return Conditions.empty() || Conditions.back().bActive; }
 	void Error(int Code, const std::string& Message);
 	void AppendDirective(const std::string& Name, const std::string& Rest);
@@ -72,6 +73,8 @@ private:
 	std::vector<FCondition> Conditions;
 	std::vector<std::string> Open; // files being read
 	std::set<std::string> Once;    // files that said #pragma once
+	int NumIncludes = 0;
+	bool bSpent = false;  // no more of the text is read
 	std::string Path;     // the file being read
 	int Number = 0;       // its line, the first of those that backslashes join
 	std::string TextPath; // where the end of Text stands

@@ -120,7 +120,8 @@ std::string MakeRandomMacros(std::mt19937& Random)
 TEST(ShaderPreprocessor, AFileIsIncludedEachTimeUnlessItSaysOnce)
 {
 	const std::map<std::string, std::string> Files = {{"/T/Each.ush", "int NAME;\n"},
-		{"/T/Once.ush", "#pragma once\nint Once;\n"}, {"/T/Loop.ush", "#include \"/T/Loop.ush\"\n"}};
+		{"/T/Once.ush", "#pragma once\nint Once;\n"},
+		{"/T/Loop.ush", "#include \"/T/Loop.ush\"\n#include \"/T/Loop.ush\"\n"}};
 	const FPreprocessed Found =
 		Preprocess("#define NAME A\n#include \"/T/Each.ush\"\n#include \"/T/Once.ush\"\n#undef NAME\n"
 				   "#define NAME B\n#include \"/T/Each.ush\"\n#include \"/T/Once.ush\"\n",

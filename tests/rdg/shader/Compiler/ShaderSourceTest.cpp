@@ -42,20 +42,28 @@ size_t Count(const std::string& Text, const std::string& Part)
 
 } // namespace
 
-TEST(FlattenShader, IncludesAFileOnceHoweverOftenItIsNamed)
+TEST(FlattenShader, IncludesAFileWithPragmaOnceOnceHoweverOftenItIsNamed)
 {
 	const std::string Text = Flatten({{"/T/A.usf", "#include \"/T/B.ush\"\n#include \"B.ush\"\n#include \"C.ush\"\n"},
-		{"/T/B.ush", "int b;\n"}, {"/T/C.ush", "#include \"../T/B.ush\"\nint c;\n"}});
+		{"/T/B.ush", "#pragma once\nint b;\n"}, {"/T/C.ush", "#include \"../T/B.ush\"\nint c;\n"}});
 	EXPECT_EQ(1u, Count(Text, "int b;"));
 	EXPECT_EQ(1u, Count(Text, "int c;"));
+	const std::string Again =
+		Flatten({{"/T/A.usf", "#include \"B.ush\"\n#include \"/T/B.ush\"\n"}, {"/T/B.ush", "int b;\n"}});
+	EXPECT_EQ(2u, Count(Again, "int b;"));
 }
 
-TEST(FlattenShader, SurvivesFilesThatIncludeEachOther)
+TEST(FlattenShader, FilesThatIncludeEachOtherEnd)
 {
-	const std::string Text =
-		Flatten({{"/T/A.usf", "#include \"B.ush\"\nint a;\n"}, {"/T/B.ush", "#include \"A.usf\"\nint b;\n"}});
+	const auto FlattenBoth = [](const std::string& First)
+	{
+		return Flatten({{"/T/A.usf", First + "#include \"B.ush\"\nint a;\n"},
+			{"/T/B.ush", First + "#include \"A.usf\"\nint b;\n"}});
+	};
+	const std::string Text = FlattenBoth("#pragma once\n");
 	EXPECT_EQ(1u, Count(Text, "int a;"));
 	EXPECT_EQ(1u, Count(Text, "int b;"));
+	EXPECT_THAT(ErrorOf([&] { FlattenBoth(""); }), HasSubstr("includes are nested too deeply"));
 }
 
 TEST(FlattenShader, NamesFileAndLineAtEverySeam)
