@@ -178,7 +178,8 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 		const std::string Path = Files::canonical(Given, Missing).string();
 		if (Missing == std::errc::no_such_file_or_directory)
 		{
-			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist" + DescribeWindowsPath(Given));
+			Messages.Error(
+				ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist" + DescribeWindowsPath(Given));
 		}
 		else if (const std::string Problem = Missing ? Missing.message() : FRegularFile(Path).GetProblem();
 				 !Problem.empty())

@@ -21,7 +21,7 @@ enum Type : int
 };
 }
 
-/** What translucent objects were drawn into, apart from the scene colour. */
+/** The targets of translucent objects, apart from the scene colour. */
 struct FTranslucencyPassResources
 {
 	FIntRect ViewRect;

@@ -114,7 +114,7 @@ public:
 	void EndUAVOverlap() {}
 	void SubmitCommandsHint() {}
 
-	/** What is bound to that stage: ours. */
+	/** Ours: the shader that is bound to the stage. */
 	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
 
 protected:

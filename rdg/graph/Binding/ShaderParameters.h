@@ -8,8 +8,8 @@
 
 #include <string>
 
-/** What happens if the shader has no parameter of the name. Nothing happens here in either case, because a shader may
- * have removed a parameter that it does not read. */
+/** Says if a shader must have a parameter of the name. Nothing happens here in either case, because a shader may have
+ * removed a parameter that it does not read. */
 enum EShaderParameterFlags
 {
 	SPF_Optional,

@@ -94,7 +94,7 @@ TEST_F(JUnit, TheVerbsThatFindSomethingHaveAllThreeOptions)
 		}
 	}
 	std::vector<std::string> Expected;
-	for (const char* Verb : {"run", "check", "prove", "hazards", "lint", "study", "diff", "matrix"})
+	for (const char* Verb : {"run", "check", "prove", "hazards", "lint", "study", "diff", "matrix", "vet"})
 	{
 		Expected.insert(Expected.end(), 3, Verb);
 	}
