@@ -3,6 +3,7 @@
 
 #include "EngineNames.h"
 #include "InstallPaths.h"
+#include "Run/RunErrors.h"
 #include "ShaderDirectories.h"
 #include "ShaderLint.h"
 #include "ShaderSource.h"
@@ -91,7 +92,7 @@ void AddUndefined(const FShaderCompileRequest& Request, std::map<std::string, FD
 				const std::string Near = SuggestName(Name, {Known.begin(), Known.end()});
 				Found.emplace(File + ":" + std::to_string(Line) + Name,
 					FDiagnostic{.Severity = Near.empty() ? ESeverity::Note : ESeverity::Warning,
-						.Code = 6024,
+						.Code = WarnShader,
 						.Message =
 							"no text of the shader and no class defines '" + Name + "', which counts as 0" + Near,
 						.File = File,
@@ -144,7 +145,7 @@ std::vector<FDiagnostic> FShaderWarnings::Find() const
 	for (const FLintFinding& Finding : Found)
 	{
 		Diagnostics.push_back({.Severity = ESeverity::Warning,
-			.Code = 6024,
+			.Code = WarnShader,
 			.Message = Finding.What,
 			.File = Finding.File,
 			.Line = Finding.Line});

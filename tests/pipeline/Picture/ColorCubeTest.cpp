@@ -1,5 +1,5 @@
-// .cube files: read as the specification has them, refused with the line that is wrong, and the table of a config's
-// grade held against the tonemapper that evaluates the grade for each pixel.
+// Tables of .cube files: read as the specification has them, refused with the line that is wrong, and the table of a
+// config's grade held against the tonemapper that evaluates the grade for each pixel.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
