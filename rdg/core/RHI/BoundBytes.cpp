@@ -60,7 +60,7 @@ std::string FindTooManyGroups(const FBoundShader& Shader, const uint32 (&Counts)
 	const FKernelMip* Largest = nullptr;
 	std::string Name;
 	bool bCounts = Reflection.bGroups || !Shader.RWBuffers.empty();
-	for (size_t Slot = 0; Slot < Shader.RWTextures.size(); ++Slot)
+	for (size_t Slot = 0; Slot < std::min(Shader.RWTextures.size(), Reflection.RWTextures.size()); ++Slot)
 	{
 		const FKernelMip& Mip = Shader.RWTextures[Slot].Mips[0];
 		const int32 Sizes[3] = {Mip.SizeX, Mip.SizeY, Mip.SizeZ};

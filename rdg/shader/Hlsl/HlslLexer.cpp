@@ -232,7 +232,7 @@ void FLexer::ReadString()
 	const bool bClosed = Peek(Size) == Quote;
 	if (!bClosed)
 	{
-		Report(At, "X3000: syntax error: expected " + std::string(1, Quote) + " at the end of the " +
+		Report(At, "X3000: syntax error: expected '" + std::string(1, Quote) + "' at the end of the " +
 					   (Quote == '\'' ? "character" : "string"));
 	}
 	Add(Quote == '\'' ? EToken::Number : EToken::String, bClosed ? Size + 1 : Size);

@@ -184,6 +184,8 @@ bool FParser::ParseForwardStruct(std::vector<FDeclaration*>& Out)
 			FTypeName Type;
 			Type.Struct = Tree.Make<FStruct>(At().Place); // without members, until it is defined
 			Type.Struct->Name = At().Text;
+			Type.Name.Parts.emplace_back().Text = At().Text;
+			Type.Name.Parts.back().Place = At().Place;
 			AddTypeDeclaration(Out, Type, 0);
 		}
 	}

@@ -251,12 +251,13 @@ void FLinter::PlaceWideType(const FSpirvModule& Module, const FSpirvInstruction&
 								: Kind == ESpirvType::Double ? "double"
 								: Bytes == 8                 ? "int64"
 															 : "";
-	const auto Found = std::ranges::find_if(Findings,
-		[Id](const FLintFinding& Each) { return Each.Line == 0 && Each.What.empty() && Id == Each.Rule->Id; });
-	if (Found != Findings.end())
+	for (FLintFinding& Each : Findings) // one for each capability
 	{
-		Found->File = Module.Files[I.File];
-		Found->Line = I.Line;
+		if (Each.Line == 0 && Each.What.empty() && Id == Each.Rule->Id)
+		{
+			Each.File = Module.Files[I.File];
+			Each.Line = I.Line;
+		}
 	}
 }
 

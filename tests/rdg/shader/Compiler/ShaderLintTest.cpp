@@ -199,6 +199,7 @@ std::vector<std::string> LintCapability(uint32_t Capability)
 
 TEST(ShaderLint, NamesThatTheEnginesVersionDoesNotHave)
 {
+	AddShaderDirectory("/Engine", DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine");
 	const FShaderCompileRequest Request = MakeRequest(
 		"#include \"/Engine/Private/Common.ush\"\n" +
 		Compute("RWTexture2D<float4> Out;", "	// FDFScalar in a comment\n	FDFScalar V = 1; Out[Id.xy] = V;"));

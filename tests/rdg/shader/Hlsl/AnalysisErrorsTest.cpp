@@ -105,7 +105,7 @@ const std::vector<FRefusal> Refusals = {
 		"8:33: warning X3533: the case before this label goes on into it, which FXC refuses: non-empty case statements "
 		"must have break or return"},
 	{EStage::Compute, "", "for (int i = 0; i < 4; ++i) { switch (i) { case 1: continue; } Out[i] = 1; }",
-		"8:54: warning X3708: continue stands in a switch, which FXC refuses; set a flag, and write continue behind "
+		"8:53: warning X3708: continue stands in a switch, which FXC refuses; set a flag, and write continue behind "
 		"the "
 		"switch"},
 	{EStage::Compute, "", "const int x = 1, y = 0; int z = x / y;", "8:36: X4010: division of an integer by zero"},

@@ -151,7 +151,7 @@ TEST(HlslEmitter, CharactersAreTheirCodes)
 		{"static const uint Line[3] = {'\\n', '\\'', '\\0'};", "R = Line[n % 3];", {10, 39, 0, 10}},
 	});
 	EXPECT_THAT(ErrorOfEmitted("", "R = 'ab';"), HasSubstr("'ab' is not one character"));
-	EXPECT_THAT(ErrorOfEmitted("", "R = 'a;"), HasSubstr("expected ' at the end of the character"));
+	EXPECT_THAT(ErrorOfEmitted("", "R = 'a;"), HasSubstr("expected ''' at the end of the character"));
 }
 
 TEST(HlslEmitter, BitsWithoutANameAreAGap)

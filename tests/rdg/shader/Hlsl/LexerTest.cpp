@@ -107,7 +107,8 @@ TEST(HlslLexer, SaysWhatItCannotRead)
 	EXPECT_EQ(Lex("#line\nb").Errors,
 		"/T.usf:1:1: error: X3000: syntax error: expected #line and a number, then perhaps \"the file\" [DD6010]\n");
 	EXPECT_EQ(Lex("#line 99999999999\nb").Errors.substr(0, 20), "/T.usf:1:1: error: X");
-	EXPECT_EQ(Lex("'a'").Errors.substr(0, 20), "/T.usf:1:1: error: X");
+	EXPECT_EQ(Lex("'a").Errors,
+		"/T.usf:1:1: error: X3000: syntax error: expected ''' at the end of the character [DD6010]\n");
 	EXPECT_EQ(Lex("a /* b").Errors,
 		"/T.usf:1:3: error: X3000: syntax error: unexpected end of file; expected '*/' of the comment [DD6010]\n");
 	EXPECT_EQ(Lex(std::string("a \0\x80\xff b", 7)).Tokens, "a b");

@@ -202,7 +202,7 @@ TEST(HlslParser, ReadsStructs)
 		"operator-();};");
 	EXPECT_EQ(ParseToText("struct A { struct I { int x; }; }; struct B : A { int F() { return ((I)0).x; } };"),
 		"struct A {struct I {int x;};}; struct B : A {int F() {return cast<I>(0).x;}};");
-	EXPECT_EQ(ParseToText("struct S; S F(); struct S { int a; };"), "S F(); struct S {int a;};");
+	EXPECT_EQ(ParseToText("struct S; S F(); struct S { int a; };"), "struct S {}; S F(); struct S {int a;};");
 }
 
 TEST(HlslParser, ReadsEnumsAndAliases)
