@@ -448,7 +448,8 @@ namespace
 	set_source_files_properties("${MappingFile}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 	add_library(${Name} SHARED ${SourceFiles})
-	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}" PRIVATE "${GeneratedFolder}/absent")
+	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}" PRIVATE "${GeneratedFolder}/absent"
+		"${GeneratedFolder}/${_DrydockFolderBelowEngine}")
 	target_link_libraries(${Name} PUBLIC drydock::drydock ${Needed})
 	target_compile_features(${Name} PUBLIC cxx_std_20)
 	target_compile_definitions(${Name} PRIVATE ${Definitions})

@@ -305,11 +305,14 @@ function(_drydock_find_in_any_case Include Folders OutFile)
 	set(${OutFile} "${Found}" PARENT_SCOPE)
 endfunction()
 
+# The folder below that of the made headers from which an include finds ../../Source/Runtime/Renderer/Public/ScreenPass.h.
+set(_DrydockFolderBelowEngine "below/2/3/4/5/6/7/8/9/10/11/12")
+
 # Makes headers in Folder for names that the compiler does not find. Windows finds a header whatever the case of its
 # letters and of its folders', and with either slash: such a name gets a header that includes the right one. Files of
 # plugins include many an engine header that they do not need: for each that neither they nor drydock have, an empty one
 # is made in Folder/absent, and named; what needs its names does not compile. One that a file asks for by __has_include is
-# not made.
+# not made. A plugin that was written below an engine may name the engine's header by the way up to it.
 function(_drydock_make_headers Name Folder OwnFolders)
 	_drydock_header_folders(HeaderFolders)
 	set(Own "")
@@ -332,6 +335,21 @@ function(_drydock_make_headers Name Folder OwnFolders)
 			string(REPLACE "\\" "/" Path "${Include}")
 			cmake_path(GET Path FILENAME FileName)
 			string(TOLOWER "${FileName}" Lower)
+			if(Path MATCHES "^[.][.]/(.*/)?Source/[A-Z][a-z]+/[A-Za-z0-9]+/(Public|Private|Classes|Internal)/([^.].*)$")
+				set(EnginePath "${CMAKE_MATCH_3}")
+				cmake_path(SET Header NORMALIZE "${Folder}/${_DrydockFolderBelowEngine}/${Path}")
+				cmake_path(IS_PREFIX Folder "${Header}" bInside)
+				foreach(HeaderFolder IN LISTS HeaderFolders)
+					if(bInside AND NOT EXISTS "${Parent}/${Path}" AND EXISTS "${HeaderFolder}/${EnginePath}")
+						file(CONFIGURE OUTPUT "${Header}" @ONLY CONTENT
+"// Made by drydock_add_plugin: the header that lies there in an engine.
+#include \"${HeaderFolder}/${EnginePath}\"
+")
+						file(MAKE_DIRECTORY "${Folder}/${_DrydockFolderBelowEngine}")
+						break()
+					endif()
+				endforeach()
+			endif()
 			if(NOT Path MATCHES "[.](h|hpp|inl)$" OR Path MATCHES "^[./]|[.]generated[.]h$")
 				continue()
 			endif()

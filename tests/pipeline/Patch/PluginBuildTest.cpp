@@ -297,9 +297,10 @@ TEST_F(PluginBuild, TheCaseOfFoldersDoesNotMatter)
 #include "sceneviewextension.h"
 #include "deep/colour.h"
 #include "Deep\COLOUR.h"
+#include "../../../../../../../Source/Runtime/Renderer/Public/ScreenPass.h"
 #include <string.h>
 class UProbe : public UEngineSubsystem {};
-extern "C" int TintAnswer() { return GetColour() + int(strlen("x")) + int(sizeof(FSceneViewExtensionBase) > 0); }
+extern "C" int TintAnswer() { return GetColour() + int(strlen("x")) + int(sizeof(FSceneViewExtensionBase) > 0) - int(sizeof(FScreenPassTexture) == 0); }
 )");
 	const FBuiltPlugin Built = BuildPlugin(Describe());
 	EXPECT_THAT(Built.Notes, testing::Not(testing::Contains(testing::HasSubstr("there is no"))));
