@@ -100,7 +100,11 @@ public:
 		}
 		catch (const FError& Error)
 		{
-			Proven.Error = JoinMessages(Error);
+			// The base ran: what the CPU or the build lacks is the number of lanes, which is not the config's fault.
+			const bool bLanes =
+				std::ranges::all_of(Error.GetDiagnostics(), [](const FDiagnostic& Each) { return Each.Code == 6003; });
+			(bLanes ? Proven.NotRun : Proven.Error) =
+				bLanes ? "this CPU or this build has no code for it" : JoinMessages(Error);
 		}
 		return Proven;
 	}

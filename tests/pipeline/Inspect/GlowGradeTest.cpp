@@ -89,7 +89,7 @@ TEST_F(GlowGrade, Fault3EncodesMidGreyOnceMore)
 TEST_F(GlowGrade, Fault4IsNamedThoughMinHidesIt)
 {
 	const FOutcome Run = Call("run", 4, "--out out --check nan");
-	EXPECT_THAT(Run.Printed, ContainsRegex("GlowGrade.usf:24: warning DD4010 at pass GlowSetup, FGlowSetupPS: nan: "
+	EXPECT_THAT(Run.Printed, ContainsRegex("GlowGrade.usf:23: warning DD4010 at pass GlowSetup, FGlowSetupPS: nan: "
 										   "pow\\(-.*\\) is NaN.*float Weight = min\\(pow\\(Over, 0.8\\), 1.0\\);"));
 	EXPECT_THAT(Call("run", 4, "--out out").Printed, Not(HasSubstr("DD40"))) << "no picture shows it";
 }
@@ -150,7 +150,7 @@ TEST_F(GlowGrade, ProbeTakesTheThreadThatStoredTheTexel)
 	{
 		EXPECT_THAT(Columns.Printed,
 			ContainsRegex("reads Tile\\[" + std::to_string(15 + Tap) + "\\] = \\(.*\\), put there by thread " +
-						  std::to_string(15 + Tap) + ",20 in line 26\n"));
+						  std::to_string(15 + Tap) + ",20 in line 25\n"));
 	}
 	EXPECT_THAT(Columns.Printed, Not(HasSubstr("Tile[24]")));
 	const FOutcome Rows = Call("probe", 0, "40,30 --pass GlowBlurX");
@@ -163,7 +163,7 @@ TEST_F(GlowGrade, TraceTakesATexelOrAThread)
 {
 	const FOutcome Pixel = Call("trace", 0, "--pass GlowBlurY --pixel 20,15");
 	EXPECT_THAT(Pixel.Printed, HasSubstr("thread 15,20, which stored to OutGlow 20,15\n"));
-	EXPECT_THAT(Pixel.Printed, ContainsRegex("load Tile\\[15\\] = .*\\[put there by thread 15,20 in line 26\\]"));
+	EXPECT_THAT(Pixel.Printed, ContainsRegex("load Tile\\[15\\] = .*\\[put there by thread 15,20 in line 25\\]"));
 	const FOutcome Thread = Call("trace", 0, "--pass GlowBlurY --thread 15,20");
 	EXPECT_THAT(Thread.Printed, HasSubstr("thread 15,20\n"));
 	EXPECT_EQ(Pixel.Printed.substr(Pixel.Printed.find('\n')), Thread.Printed.substr(Thread.Printed.find('\n')));
