@@ -115,13 +115,25 @@ bool FUnwrittenWatch::OnTextureMade(FRHITexture& Texture)
 	New.Name = Texture.GetName().ToString().ToStdString();
 	New.Mip = {First, Layout.SizeX, Layout.SizeY, 1, Layout.RowPitch, Layout.SlicePitch};
 	New.TexelBytes = GetTexelStorageInfo(Texture.GetStorage()).BytesPerTexel;
-	return false;
+	return true;
 }
 
 FUnwrittenWatch::FTexture* FUnwrittenWatch::Find(const FKernelTexture& Texture)
 {
 	const auto Known = Texture.NumMips > 0 ? Textures.find(Texture.Mips[0].Data) : Textures.end();
 	return Known == Textures.end() ? nullptr : &Known->second;
+}
+
+/** Nobody sees what a pass of C++ writes: a texture that holds something before its first writer is written as a whole.
+ */
+void FUnwrittenWatch::TakeForeignContents(FTexture& Texture) const
+{
+	for (int32_t y = 0; !Texture.bWritten && y < Texture.Mip.SizeY; ++y)
+	{
+		const uint8_t* const Row = Texture.Mip.Data + int64_t(y) * Texture.Mip.RowPitch;
+		const auto Bytes = size_t(Texture.Mip.SizeX) * size_t(Texture.TexelBytes);
+		Texture.bWritten = Row[0] != 0 || std::memcmp(Row, Row + 1, Bytes - 1) != 0;
+	}
 }
 
 /** A writer comes. */
@@ -134,6 +146,10 @@ void FUnwrittenWatch::Begin(FTexture& Texture, bool bForeign, const std::string&
 void FUnwrittenWatch::TakeRect(FTexture& Texture, const FIntRect& Rect)
 {
 	const FKernelMip& Mip = Texture.Mip;
+	if (Texture.bWritten && Texture.NumUnwritten == 0)
+	{
+		return;
+	}
 	FIntRect Inside = Rect;
 	Inside.Clip(FIntRect(0, 0, Mip.SizeX, Mip.SizeY));
 	const auto Size = size_t(Mip.SizeX) * size_t(Mip.SizeY);
@@ -148,16 +164,6 @@ void FUnwrittenWatch::TakeRect(FTexture& Texture, const FIntRect& Rect)
 		Texture.bWritten = true;
 		Texture.Unwritten.assign(Size, true);
 		Texture.NumUnwritten = Size;
-		for (int32_t y = 0; y < Mip.SizeY; ++y)
-		{
-			uint8_t* const Row = Mip.Data + int64_t(y) * Mip.RowPitch;
-			const bool bBeside = y >= Inside.Min.Y && y < Inside.Max.Y && Inside.Width() > 0;
-			const int32_t Left = bBeside ? Inside.Min.X : Mip.SizeX;
-			const int32_t Right = bBeside ? Inside.Max.X : Mip.SizeX;
-			std::memset(Row, 0, size_t(Left) * size_t(Texture.TexelBytes));
-			std::memset(
-				Row + int64_t(Right) * Texture.TexelBytes, 0, size_t(Mip.SizeX - Right) * size_t(Texture.TexelBytes));
-		}
 	}
 	for (int32_t y = Inside.Min.Y; y < Inside.Max.Y; ++y)
 	{
@@ -182,21 +188,22 @@ void FUnwrittenWatch::FillUnwritten(const FTexture& Texture, uint8_t Byte) const
 		[&](int32_t X, int32_t Y) { std::memset(GetTexelAddress(Mip, X, Y, Texture.TexelBytes), Byte, Bytes); });
 }
 
-void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile&)
+void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
 {
 	const FShaderReflection& Reflection = Shader.GetReflection();
 	for (const FKernelTexture& Read : Shader.Textures)
 	{
 		FTexture* const Texture = Find(Read);
-		if (Texture && !Texture->bWritten)
+		if (Texture)
 		{
-			TakeRect(*Texture, FIntRect()); // reported as DD2040
+			Texture->bWritten = true; // by C++, or by nobody, which is reported as DD2040
 		}
 	}
 	for (const FKernelTexture& Stored : Shader.RWTextures)
 	{
 		if (FTexture* const Texture = Find(Stored))
 		{
+			TakeForeignContents(*Texture);
 			FillUnwritten(*Texture, Reflection.bLoadsStored ? 0 : Patterns[0]);
 		}
 	}
@@ -204,6 +211,11 @@ void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelAr
 	{
 		const FKernelTarget& Target = Args.Targets[Index];
 		FTexture* const Texture = Find(Target.Texture);
+		if (Texture && FIntRect(Whole.MinX, Whole.MinY, Whole.MaxX, Whole.MaxY) !=
+						   FIntRect(0, 0, Texture->Mip.SizeX, Texture->Mip.SizeY))
+		{
+			TakeForeignContents(*Texture);
+		}
 		if (Texture && (Target.bBlend || Target.WriteMask != 15))
 		{
 			FillUnwritten(*Texture, 0);
@@ -223,6 +235,10 @@ void FUnwrittenWatch::TakeWhatIsLeft(
 	const FKernelMip& Mip = Texture.Mip;
 	const auto Size = size_t(Mip.SizeX) * size_t(Mip.SizeY);
 	std::vector<bool> Left;
+	if (Texture.bWritten && Texture.NumUnwritten == 0)
+	{
+		return;
+	}
 	for (int32_t y = 0; y < Mip.SizeY; ++y)
 	{
 		const uint8_t* const Row = Mip.Data + int64_t(y) * Mip.RowPitch;

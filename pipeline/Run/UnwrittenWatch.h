@@ -50,6 +50,7 @@ private:
 	};
 
 	FTexture* Find(const FKernelTexture& Texture);
+	void TakeForeignContents(FTexture& Texture) const;
 	void Begin(FTexture& Texture, bool bForeign, const std::string& Writer);
 	void TakeRect(FTexture& Texture, const FIntRect& Rect);
 	void FillUnwritten(const FTexture& Texture, uint8_t Byte) const;
