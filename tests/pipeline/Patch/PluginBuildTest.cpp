@@ -279,6 +279,11 @@ TEST_F(PluginBuild, ADeveloperModuleIsBuiltWhereItIsTheOnlyOne)
 	Write("Plugins/Tint/Source/Game/Game.Build.cs", "");
 	Write("Plugins/Tint/Source/Game/Private/Game.cpp", "\n");
 	EXPECT_THAT(BuildPlugin(Describe()).Notes,
+		testing::Contains("left out module Game: neither the .uplugin nor another module names it"));
+
+	Write("Plugins/Tint/Source/Tint/Tint.Build.cs", R"(PublicDependencyModuleNames.AddRange(new string[] { "Core",
+		"Game" }); PrivateDefinitions.Add("TINT_ANSWER=42");)");
+	EXPECT_THAT(BuildPlugin(Describe()).Notes,
 		testing::Contains("left out module Tint: it is of type Developer, and the plugin has others"));
 
 	Write("Plugins/Tint/Tint.uplugin",
