@@ -71,7 +71,10 @@ FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FCo
 				const bool bSame = std::memcmp(&RowA[Index], &RowB[Index], sizeof(double)) == 0 ||
 								   (Comparison.Scale != 1.0 && RowA[Index] * Comparison.Scale == RowB[Index]);
 				Counted.NumValues += bSame ? 0 : 1;
-				bDiffers = bDiffers || !(Comparison.bExact ? bSame : AreClose(RowA[Index], RowB[Index]));
+				bDiffers =
+					bDiffers ||
+					!(bSame || (!Comparison.bExact && (AreClose(RowA[Index], RowB[Index]) ||
+														  AreClose(RowA[Index] * Comparison.Scale, RowB[Index]))));
 			}
 			FPixelDifference Pixel{X, Y, {}, {}, 0};
 			if (bDiffers)
