@@ -183,7 +183,7 @@ std::string MakeStudyTable(const FStudyResult& Result, int Width)
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
-			"taps/px", "bytes/px", "front of " + Result.GetMetric() + " and time"}};
+			"FLIP", "taps/px", "bytes/px", "front of " + Result.GetMetric() + " and time"}};
 		for (const size_t Index : Job.Variants)
 		{
 			Rows.push_back(MakeRow(Result, Job, Result.Variants[Index]));
