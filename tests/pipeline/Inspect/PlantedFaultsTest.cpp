@@ -203,8 +203,10 @@ TEST_F(PlantedFaults, ParametersOnTheStackAreAnError)
 {
 	const FOutcome Outcome = Folder.Call("run " + Common(12) + "--out out");
 	EXPECT_EQ(2, Outcome.ExitCode);
-	EXPECT_THAT(Outcome.Printed, HasSubstr("error DD2018 at pass PlantedFaults: the parameters lie on the stack of the "
-										   "callback at MotionBlur of extension FPlantedFaultsExtension"));
+	EXPECT_THAT(Outcome.Printed,
+		testing::ContainsRegex("PlantedFaults.cpp:[0-9]+: error DD2018 at plugin libPlantedFaults.so, .*, pass "
+							   "PlantedFaults: the parameters lie on the stack of the callback at MotionBlur of "
+							   "extension FPlantedFaultsExtension"));
 }
 
 TEST_F(PlantedFaults, ABufferOfOtherElementsIsAnError)
