@@ -128,7 +128,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds,
 	const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
 {
-	Unwritten.OnPassExecuted(Pass.GetName(), Pass.GetOwner().IsForeign(), Counters);
+	Unwritten.OnPassExecuted(Pass.GetName(), Pass.GetOwner().IsForeign(), Counters, WrittenTextures);
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
 	Result.Passes.back().Taps = CountTaps(Pass, Counters);
 	OnPassPlanned(PassIndex, Pass);

@@ -4,6 +4,7 @@
 #include "KernelRerun.h"
 #include "PixelFormatConversion.h"
 #include "RHITexture.h"
+#include "RenderGraphResources.h"
 #include "Run/RunErrors.h"
 #include "RunningCode.h"
 #include "Text/Fmt.inl"
@@ -124,18 +125,6 @@ FUnwrittenWatch::FTexture* FUnwrittenWatch::Find(const FKernelTexture& Texture)
 	return Known == Textures.end() ? nullptr : &Known->second;
 }
 
-/** Nobody sees what a pass of C++ writes: a texture that holds something before its first writer is written as a whole.
- */
-void FUnwrittenWatch::TakeForeignContents(FTexture& Texture) const
-{
-	for (int32_t y = 0; !Texture.bWritten && y < Texture.Mip.SizeY; ++y)
-	{
-		const uint8_t* const Row = Texture.Mip.Data + int64_t(y) * Texture.Mip.RowPitch;
-		const auto Bytes = size_t(Texture.Mip.SizeX) * size_t(Texture.TexelBytes);
-		Texture.bWritten = Row[0] != 0 || std::memcmp(Row, Row + 1, Bytes - 1) != 0;
-	}
-}
-
 /** A writer comes. */
 void FUnwrittenWatch::Begin(FTexture& Texture, bool bForeign, const std::string& Writer)
 {
@@ -188,7 +177,7 @@ void FUnwrittenWatch::FillUnwritten(const FTexture& Texture, uint8_t Byte) const
 		[&](int32_t X, int32_t Y) { std::memset(GetTexelAddress(Mip, X, Y, Texture.TexelBytes), Byte, Bytes); });
 }
 
-void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
+void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile&)
 {
 	const FShaderReflection& Reflection = Shader.GetReflection();
 	for (const FKernelTexture& Read : Shader.Textures)
@@ -203,7 +192,6 @@ void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelAr
 	{
 		if (FTexture* const Texture = Find(Stored))
 		{
-			TakeForeignContents(*Texture);
 			FillUnwritten(*Texture, Reflection.bLoadsStored ? 0 : Patterns[0]);
 		}
 	}
@@ -211,11 +199,6 @@ void FUnwrittenWatch::BeforeDispatch(const FBoundShader& Shader, const FKernelAr
 	{
 		const FKernelTarget& Target = Args.Targets[Index];
 		FTexture* const Texture = Find(Target.Texture);
-		if (Texture && FIntRect(Whole.MinX, Whole.MinY, Whole.MaxX, Whole.MaxY) !=
-						   FIntRect(0, 0, Texture->Mip.SizeX, Texture->Mip.SizeY))
-		{
-			TakeForeignContents(*Texture);
-		}
 		if (Texture && (Target.bBlend || Target.WriteMask != 15))
 		{
 			FillUnwritten(*Texture, 0);
@@ -289,7 +272,7 @@ void FUnwrittenWatch::AfterDispatch(const FBoundShader& Shader, const FKernelArg
 		const FKernelTarget& Target = Args.Targets[Index];
 		if (FTexture* const Texture = Find(Target.Texture))
 		{
-			DrawnHere.insert(Texture->Name);
+			DrawnHere.insert(Texture->Mip.Data);
 			Begin(*Texture, IsForeignCodeRunning(), DescribeWriter(Shader, Whole));
 			const bool bPattern = Reflection.bUsesDiscard && !Target.bBlend && Target.WriteMask == 15;
 			bPattern ? TakeWhatIsLeft(*Texture, Shader, Args, Whole, size_t(Index)) : TakeRect(*Texture, Drawn);
@@ -299,6 +282,7 @@ void FUnwrittenWatch::AfterDispatch(const FBoundShader& Shader, const FKernelArg
 	{
 		if (FTexture* const Texture = Find(Shader.RWTextures[Slot]))
 		{
+			DrawnHere.insert(Texture->Mip.Data);
 			Begin(*Texture, IsForeignCodeRunning(), DescribeWriter(Shader, Whole));
 			if (Reflection.bLoadsStored || Args.NumTargets > 0)
 			{
@@ -382,18 +366,29 @@ void FUnwrittenWatch::AskReader(
 	}
 }
 
-void FUnwrittenWatch::OnPassExecuted(const std::string& Pass, bool bForeign, const FPassCounters& Counters)
+void FUnwrittenWatch::OnPassExecuted(const std::string& Pass, bool bForeign, const FPassCounters& Counters,
+	const std::vector<FRDGTexture*>& WrittenTextures)
 {
+	const auto FindKnown = [this](const FRHITexture* Texture)
+	{
+		return Texture && Texture->HasMemory() ? Textures.find(const_cast<FRHITexture*>(Texture)->GetTexel(0, 0))
+											   : Textures.end();
+	};
 	for (const FTextureWrite& Write : Counters.Writes)
 	{
-		const FRHITexture& Written = *Write.Texture;
-		const auto Known = Write.Mip == 0 && Written.HasMemory()
-							   ? Textures.find(const_cast<FRHITexture&>(Written).GetTexel(0, 0))
-							   : Textures.end();
-		if (Known != Textures.end() && !DrawnHere.contains(Known->second.Name))
+		const auto Known = Write.Mip == 0 ? FindKnown(Write.Texture) : Textures.end();
+		if (Known != Textures.end() && DrawnHere.insert(Known->first).second)
 		{
 			Begin(Known->second, bForeign, Pass);
 			TakeRect(Known->second, Write.Rect);
+		}
+	}
+	for (const FRDGTexture* const Written : WrittenTextures)
+	{
+		const auto Known = FindKnown(Written->GetRHI());
+		if (Known != Textures.end() && !DrawnHere.contains(Known->first))
+		{
+			Textures.erase(Known); // C++ wrote it, and nobody saw which texels
 		}
 	}
 	DrawnHere.clear();

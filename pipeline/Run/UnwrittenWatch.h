@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+class FRDGTexture;
+
 namespace Drydock
 {
 
@@ -27,8 +29,10 @@ public:
 	/** Called with a texture that a graph makes, before its first pass. True: nothing follows it, so that it has to be
 	 * zeroed. */
 	bool OnTextureMade(FRHITexture& Texture);
-	/** Called after each pass: takes note of clears and copies. */
-	void OnPassExecuted(const std::string& Pass, bool bForeign, const FPassCounters& Counters);
+	/** Called after each pass: takes note of clears and copies. A texture that the pass writes by C++ counts as written
+	 * as a whole. */
+	void OnPassExecuted(const std::string& Pass, bool bForeign, const FPassCounters& Counters,
+		const std::vector<FRDGTexture*>& WrittenTextures);
 
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
@@ -50,7 +54,6 @@ private:
 	};
 
 	FTexture* Find(const FKernelTexture& Texture);
-	void TakeForeignContents(FTexture& Texture) const;
 	void Begin(FTexture& Texture, bool bForeign, const std::string& Writer);
 	void TakeRect(FTexture& Texture, const FIntRect& Rect);
 	void FillUnwritten(const FTexture& Texture, uint8_t Byte) const;
@@ -60,7 +63,7 @@ private:
 	void ForgetWhole();
 
 	std::map<const uint8_t*, FTexture> Textures; // those that are not written as a whole, by their first texel
-	std::set<std::string> DrawnHere;             // textures of the pass that runs
+	std::set<const uint8_t*> DrawnHere;          // textures of the pass that runs
 	std::set<std::pair<std::string, std::string>> Reported;
 	std::vector<FDiagnostic> Diagnostics;
 };
