@@ -1,6 +1,7 @@
 // Computes FLIP: colours filtered as the eye does and compared, edges and points compared, and both put together.
 #include "Picture/ImageFlip.h"
 
+#include "Math/ToInteger.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -180,7 +181,7 @@ using FPlanes = std::array<FValues, 3>;
 /** The colours as the eye resolves them, from YCxCz to the Lab that differences are taken in. */
 std::vector<FColor> FilterColors(const FPlanes& Opponent, FSize Size)
 {
-	const int Radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * Pi * Pi)) * FlipPixelsPerDegree));
+	const int Radius = ToCount(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * Pi * Pi)) * FlipPixelsPerDegree), 1, 1000);
 	FPlanes Filtered;
 	std::array<double, 3> Sums = {};
 	for (const FSensitivity& Term : Sensitivities)
@@ -229,7 +230,7 @@ std::vector<FColor> FilterColors(const FPlanes& Opponent, FSize Size)
 FValues DetectFeatures(const FValues& Light, FSize Size, bool bPoints)
 {
 	const double Sigma = 0.5 * 0.082 * FlipPixelsPerDegree;
-	const int Radius = static_cast<int>(std::ceil(3.0 * Sigma));
+	const int Radius = ToCount(std::ceil(3.0 * Sigma), 1, 1000);
 	const auto Gauss = [&](double Tap)
 	{
 		return std::exp(-Tap * Tap / (2.0 * Sigma * Sigma));
@@ -340,18 +341,6 @@ double GetMeanFlip(const std::vector<double>& Flip)
 		Sum += Value;
 	}
 	return Flip.empty() ? 0.0 : Sum / static_cast<double>(Flip.size());
-}
-
-FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding)
-{
-	FImage Map{A.Width, A.Height, 3, {}};
-	for (const double Value : ComputeFlip(A, B, Encoding))
-	{
-		double Color[3];
-		GetHeatColor(Value, Color);
-		Map.Values.insert(Map.Values.end(), Color, Color + 3);
-	}
-	return Map;
 }
 
 } // namespace Drydock

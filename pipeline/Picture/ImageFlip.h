@@ -3,7 +3,8 @@
 // the ACM on Computer Graphics and Interactive Techniques 3(2), 2020, with its erratum (luminance is divided by 116).
 #pragma once
 
-#include "Picture/ImageMetrics.h"
+#include "Picture/ImageEncoding.h"
+#include "Picture/ImageFile.h"
 
 #include <vector>
 
@@ -19,8 +20,5 @@ DRYDOCK_API std::vector<double> ComputeFlip(const FImage& A, const FImage& B, EI
 
 /** The mean of it: 0 where nothing differs. */
 DRYDOCK_API double GetMeanFlip(const std::vector<double>& Flip);
-
-/** The map in the colours of the heat map: black 0, pale yellow 1. */
-DRYDOCK_API FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding);
 
 } // namespace Drydock

@@ -272,6 +272,18 @@ void GetHeatColor(double Heat, double OutColor[3])
 	}
 }
 
+FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding)
+{
+	FImage Map{A.Width, A.Height, 3, {}};
+	for (const double Value : ComputeFlip(A, B, Encoding))
+	{
+		double Color[3];
+		GetHeatColor(Value, Color);
+		Map.Values.insert(Map.Values.end(), Color, Color + 3);
+	}
+	return Map;
+}
+
 FImage MakeHeatMap(const FImage& A, const FImage& B, double Full, int NumChannels)
 {
 	CheckComparable(A, B);

@@ -3,6 +3,7 @@
 // Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 
+#include "Picture/ImageEncoding.h"
 #include "Picture/ImageFile.h"
 
 #include <cstdint>
@@ -11,13 +12,6 @@
 
 namespace Drydock
 {
-
-/** The meaning of an image's numbers. */
-enum class EImageEncoding
-{
-	Display, // sRGB-encoded, 0..1
-	Linear,  // scene light, 0 and up
-};
 
 struct FImageErrorOptions
 {
@@ -75,6 +69,9 @@ DRYDOCK_API double EncodeDisplay(double Linear);
  * and orange to pale yellow in even steps of the logarithm. Full is the error that is pale yellow, Full / 10^4 and
  * below is black; what is not finite in one image only is cyan. */
 DRYDOCK_API FImage MakeHeatMap(const FImage& A, const FImage& B, double Full, int NumChannels = 0);
+
+/** The map of ComputeFlip (ImageFlip.h) in the colours of the heat map: black 0, pale yellow 1. */
+DRYDOCK_API FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding);
 
 /** The colours of the heat map, 0..1 to RGB. */
 DRYDOCK_API void GetHeatColor(double Heat, double OutColor[3]);

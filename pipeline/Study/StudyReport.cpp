@@ -173,6 +173,7 @@ std::string GetErrorTitle(const std::string& Metric)
 		   : Metric == "max"      ? "largest error"
 		   : Metric == "relative" ? "relative error"
 		   : Metric == "psnr"     ? "10^(-PSNR/20)"
+		   : Metric == "flip"     ? "FLIP"
 								  : "1 - SSIM";
 }
 

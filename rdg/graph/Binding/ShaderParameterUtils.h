@@ -1,6 +1,6 @@
 // Sets parameters one by one, by the names that a shader class has bound. Source: engine ShaderParameterUtils.h. A
-// value is copied byte by byte to the shader's constant, as the engine does it. A value that is not set is 0; a resource
-// that is read and not set is an error (DD2015) of the dispatch or draw.
+// value is copied byte by byte to the shader's constant, as the engine does it. A value that is not set is 0; a
+// resource that is read and not set is an error (DD2015) of the dispatch or draw.
 #pragma once
 
 #include "RHICommandList.h"

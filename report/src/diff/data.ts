@@ -10,6 +10,7 @@ export interface Compared {
 	relative?: number | null;
 	psnr?: number | null;
 	ssim?: number | null;
+	flip?: number | null;
 	nonFinite?: number;
 	at?: [number, number];
 	channel?: string;

@@ -35,7 +35,7 @@ function answer(report: DiffReport): HTMLElement {
 			allowed !== null ? ` ${passed ? "All stay" : "Not all stay"} within ${number(allowed)}, as asked.` : ""]),
 	];
 	if (worst) {
-		rows.push(row("where", "Where most?", "note", [to("pictures", worst.name), `: by ${figure(worst.max)} in ${worst.channel} at ${worst.at!.join(", ")}; PSNR ${figure(worst.psnr)} dB, SSIM ${figure(worst.ssim)}.`]));
+		rows.push(row("where", "Where most?", "note", [to("pictures", worst.name), `: by ${figure(worst.max)} in ${worst.channel} at ${worst.at!.join(", ")}; PSNR ${figure(worst.psnr)} dB, SSIM ${figure(worst.ssim)}, FLIP ${figure(worst.flip)}.`]));
 	}
 	const { differences, times } = report.diff;
 	if (differences) {
@@ -44,7 +44,7 @@ function answer(report: DiffReport): HTMLElement {
 			made.slice(0, 6).map(showDifference)));
 	}
 	if (times) {
-		rows.push(row("time", "Which is faster?", "good", [times.sentence + "."]));
+		rows.push(row("time", "Which is faster?", "good", [times.sentence[0].toUpperCase() + times.sentence.slice(1) + "."]));
 	}
 	return listAnswers(...rows);
 }
@@ -116,6 +116,7 @@ export class DiffPage {
 			{ title: "Relative", number: true, cell: (image) => figure(image.relative) },
 			{ title: "PSNR dB", number: true, cell: (image) => figure(image.psnr) },
 			{ title: "SSIM", number: true, cell: (image) => figure(image.ssim) },
+			{ title: "FLIP", number: true, cell: (image) => figure(image.flip) },
 			{ title: "Largest at", cell: (image) => (differs(image) ? `${image.at!.join(", ")} in ${image.channel}` : image.max === 0 ? "equal" : image.a ? "only in A" : "only in B") },
 			{ title: "", cell: (image) => (differs(image) ? [button(image, "b", "A and B"), " ", button(image, "error", "Where")] : "") },
 		], this.report.diff.images));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "Picture/ImageFlip.h"
+#include "Picture/ImageMetrics.h"
 
 #include <array>
 #include <cmath>

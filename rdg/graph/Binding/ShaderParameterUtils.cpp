@@ -104,10 +104,10 @@ void SetNamedValue(
 	{
 		// C++ has matrices row by row.
 		const size_t Scalar = Byte / sizeof(float);
-		const size_t Place = Found->Rows > 1 && !Found->bRowMajor
-								 ? Scalar / 4 * sizeof(float) + Scalar % 4 * Found->MatrixStride
-								 : Byte;
-		std::memcpy(Data.data() + Found->Offset + Begin + Place, static_cast<const uint8*>(Value) + Byte, sizeof(float));
+		const size_t Place =
+			Found->Rows > 1 && !Found->bRowMajor ? Scalar / 4 * sizeof(float) + Scalar % 4 * Found->MatrixStride : Byte;
+		std::memcpy(
+			Data.data() + Found->Offset + Begin + Place, static_cast<const uint8*>(Value) + Byte, sizeof(float));
 	}
 }
 
