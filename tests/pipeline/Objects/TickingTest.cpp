@@ -104,7 +104,7 @@ TEST(Ticking, WhatCannotBeCalledIsToldAtItsPlace)
 		ElementsAre(HasSubstr("2122 /objects/ATickingActor/call/0/SetGlow/0: expected one of Still, Glowing"),
 			HasSubstr("2122 /objects/ATickingActor/call/1/SetFactor: ATickingActor::SetFactor has 1 parameters, and 2 "
 					  "arguments are given"),
-			HasSubstr("2122 /objects/ATickingActor/call/2/SetGlow/1/1: "),
+			HasSubstr("2122 /objects/ATickingActor/call/2/SetGlow/1: expected [R, G, B, A]"),
 			HasSubstr("2122 /objects/ATickingActor/call/3: expected a function's name, or an object with one name")));
 	EXPECT_THAT(GetErrors(R"("ATickingActor": {"call": {"SetFactor": [1]}})"),
 		ElementsAre(HasSubstr("2122 /objects/ATickingActor/call: expected a list of calls")));
