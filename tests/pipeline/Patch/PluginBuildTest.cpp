@@ -240,7 +240,7 @@ TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
 		"int A(const FSceneView& View) { return View.NoSuchMember; }\nvoid C() { FDelaunay2 D; }\n");
 	Write("Plugins/Tint/Source/Tint/Private/B.cpp",
 		"#include \"SceneView.h\"\nint B(const FSceneView& View) { return View.NoSuchMember; }\n"
-		"float F() { return FMath::Sinn(1.0f); }\nvoid D() { FDelaunay2 D; }\n");
+		"FLinearColour F();\nvoid D() { FDelaunay2 D; }\n");
 	for (const char* const Compiler : {"g++", "clang++"})
 	{
 		if (std::system(("which " + std::string(Compiler) + " >/dev/null").c_str()) != 0)
@@ -263,7 +263,7 @@ TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
 		EXPECT_THAT(Message, Row("FSceneView::NoSuchMember", "member", "2", "A.cpp:3", ""));
 		EXPECT_THAT(
 			Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4", " +drydock has nothing of CompGeom/Delaunay2.h"));
-		EXPECT_THAT(Message, Row("FMath::Sinn", "member", "1", "B.cpp:3", " +did you mean .*Sin.*[?]"));
+		EXPECT_THAT(Message, Row("FLinearColour", "type", "1", "B.cpp:3", " +did you mean FLinearColor[?]"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  left out module TintTools: it is of type Editor\n"));
 	}
 }
