@@ -103,6 +103,29 @@ void SetText(char (&OutText)[Size], std::string_view Text)
 	std::snprintf(OutText, Size, "%.*s", int(Text.size()), Text.data());
 }
 
+/** "/a/b/../c.h:3" as "/a/c.h:3", in Text, which is as long: a compiler may know folders by their way from the build's.
+ */
+std::string_view RemoveDots(std::string_view File, char* Text)
+{
+	size_t Length = 0;
+	for (size_t Begin = 0; Begin < File.size();)
+	{
+		const size_t End = std::min(File.find('/', Begin + 1), File.size());
+		const std::string_view Part = File.substr(Begin, End - Begin); // "/b"
+		Begin = End;
+		if (Part == "/..")
+		{
+			while (Length > 0 && Text[--Length] != '/')
+			{
+			}
+			continue;
+		}
+		std::memcpy(Text + Length, Part.data(), Part.size());
+		Length += Part.size();
+	}
+	return {Text, Length};
+}
+
 /** Whether a line of drydock's header stands there, and what follows the root of its headers. */
 bool IsOfDrydock(std::string_view& File)
 {
@@ -130,6 +153,8 @@ void ReadLines(std::string_view Lines, FCrashPlace& OutPlace)
 		{
 			continue;
 		}
+		static char Plain[8192]; // as long as Lines
+		Line = RemoveDots(Line, Plain);
 		if (!IsOfDrydock(Line))
 		{
 			SetText(OutPlace.Plugin, Line);
