@@ -47,6 +47,7 @@ FReportInputs MakeInputs(const FRunResult& Result, const FTemporaryFolder& Tempo
 		.ExplainJson = "",
 		.BlendJson = "",
 		.WalkJson = "",
+		.Touched = {},
 		.Folder = Temporary.Path.string(),
 		.Before = {}};
 }
