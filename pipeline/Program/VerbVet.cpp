@@ -13,6 +13,7 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
 #include "Text/TextTable.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <chrono>
@@ -76,6 +77,11 @@ std::string Build(const FVetOptions& Options, const std::string& Output, FVetRow
 	}
 }
 
+std::string MakeOneLine(const std::string& Text)
+{
+	return JoinText(SplitText(Text), " ", [](const std::string& Line) { return Trim(Line); });
+}
+
 /** Counts the findings of a SARIF file, and takes them over. */
 void ReadFindings(const std::string& File, FVetRow& Row, FJUnitSuite& Suite)
 {
@@ -94,7 +100,7 @@ void ReadFindings(const std::string& File, FVetRow& Row, FJUnitSuite& Suite)
 		if (Level != "note")
 		{
 			const bool bFirstError = bError && Row.NumErrors == 1;
-			Row.First = Row.First.empty() || bFirstError ? Text : Row.First;
+			Row.First = Row.First.empty() || bFirstError ? MakeOneLine(Text) : Row.First;
 			Suite.Findings.push_back(
 				{{.Severity = bError ? ESeverity::Error : ESeverity::Warning, .Message = Row.Step + ": " + Text},
 					Result.GetString("ruleId")});
