@@ -71,6 +71,9 @@ struct DRYDOCK_API FScreenPassTextureSlice
 namespace Drydock
 {
 
+/** FScreenPassTexture::CopyFromSlice for headers of drydock, which compile for any version. */
+DRYDOCK_API FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
+
 /** A picture that code gets or gives: a texture as up to engine 5.3, and a slice (view and rect) as from 5.4. It
  * converts from either and to either. */
 struct FScreenPassInput : public FScreenPassTexture

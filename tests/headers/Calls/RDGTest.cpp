@@ -204,8 +204,7 @@ TEST(CallsOfRDG, Resources)
 			return true;
 		}());
 	CALL("FRDGUploadData", FRDGUploadData<float>(GraphBuilder, 4).Num() == 4);
-	CALL("FRDGBuilder::AllocParameters",
-		GraphBuilder.AllocParameters<FCallsCS::FParameters>()->Color == FVector4f(0, 0, 0, 0));
+	CALL("FRDGBuilder::AllocParameters", GraphBuilder.AllocParameters<FCallsCS::FParameters>()->Color == FVector4f());
 	CALL("FRDGBuilder::AllocObject, AllocPOD, AllocPODArray, AllocArray, Alloc",
 		*GraphBuilder.AllocObject<int32>(3) == 3 && GraphBuilder.AllocPOD<int32>() != nullptr &&
 			GraphBuilder.AllocPODArray<int32>(4) != nullptr && GraphBuilder.AllocArray<int32>().Num() == 0 &&

@@ -60,7 +60,7 @@ TEST(CallsOfRHI, FormatsFlagsAndStates)
 	CALL("EPixelFormat::PF_FloatRGBA, PF_B8G8R8A8, PF_R8G8B8A8, PF_A2B10G10R10",
 		GPixelFormats[PF_FloatRGBA].BlockBytes == 8 && GPixelFormats[PF_B8G8R8A8].BlockBytes == 4);
 	CALL("PF_FloatRGB, PF_FloatR11G11B10",
-		GPixelFormats[PF_FloatRGB].BlockBytes == 4 && PF_FloatR11G11B10 == PF_FloatRGB);
+		GPixelFormats[PF_FloatRGB].BlockBytes == 4 && GPixelFormats[PF_FloatR11G11B10].BlockBytes == 4);
 	CALL("PF_R32_FLOAT, PF_R16F, PF_G8, PF_R8", GPixelFormats[PF_R32_FLOAT].BlockBytes == 4 &&
 													GPixelFormats[PF_R16F].BlockBytes == 2 &&
 													GPixelFormats[PF_G8].BlockBytes == 1);
@@ -74,7 +74,7 @@ TEST(CallsOfRHI, FormatsFlagsAndStates)
 			GPixelFormats[PF_R8G8_UINT].BlockBytes == 2);
 	CALL("PF_DepthStencil, PF_X24_G8, PF_ShadowDepth, PF_Unknown", PF_DepthStencil != PF_X24_G8 && PF_Unknown == 0);
 	CALL("IsDepthOrStencilFormat", IsDepthOrStencilFormat(PF_DepthStencil) && !IsDepthOrStencilFormat(PF_FloatRGBA));
-	CALL("GetPixelFormatString", FString(GetPixelFormatString(PF_FloatRGBA)) == TEXT("FloatRGBA"));
+	CALL("GetPixelFormatString", FString(GetPixelFormatString(PF_FloatRGBA)) == TEXT("PF_FloatRGBA"));
 	CALL("UE::PixelFormat::HasCapabilities, EPixelFormatCapabilities",
 		UE::PixelFormat::HasCapabilities(PF_FloatRGBA, EPixelFormatCapabilities::TypedUAVStore));
 	CALL("RHIPixelFormatHasCapabilities",

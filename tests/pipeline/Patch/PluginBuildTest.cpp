@@ -205,6 +205,7 @@ TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
 TEST_F(PluginBuild, NamesOfOtherVersionsAreRefusedWhereAVersionIsNamed)
 {
 	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", R"(#include "Misc/CoreDelegates.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
 #include "SceneViewExtension.h"
 struct FTint : FSceneViewExtensionBase
 {
@@ -222,12 +223,14 @@ void Tint()
 	Build.EngineNames = 2;
 	EXPECT_THAT(Refuse(Build).second,
 		testing::HasSubstr("engine 5.4 does not have ISceneViewExtension::GetFlags, which is there from 5.7 on"));
+	Build.EngineMinor = 3;
+	EXPECT_THAT(Refuse(Build).second, testing::Not(testing::HasSubstr("CopyFromSlice"))); // of drydock's own header
 	Build.EngineNames = 0;
 	EXPECT_THAT(BuildPlugin(Build).Notes, testing::Each(testing::Not(testing::HasSubstr("engine 5."))));
 	Build.EngineMinor = 8;
 	Build.EngineNames = 2;
 	EXPECT_THAT(BuildPlugin(Build).Notes,
-		testing::Contains(testing::HasSubstr("Tint.cpp:11: engine 5.8 deprecates FCoreDelegates::OnPostEngineInit: use "
+		testing::Contains(testing::HasSubstr("Tint.cpp:12: engine 5.8 deprecates FCoreDelegates::OnPostEngineInit: use "
 											 "FCoreDelegates::GetOnPostEngineInit()")));
 }
 
