@@ -211,8 +211,8 @@ TEST_F(JUnit, ProveHazardsAndLintHaveCases)
 	const FElement Hazards = GetSuite("hazards a.json --pass Tonemap", 0);
 	EXPECT_LT(10u, Hazards.Children.size());
 	Folder.Write("a.usf", R"(RWTexture2D<float4> Out;
-[numthreads(32, 64, 1)]
-void MainCS(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = 1; }
+[numthreads(8, 8, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = Out[Id.xy] + 1; }
 )");
 	const FElement Lint = GetSuite("lint a.usf", 1);
 	EXPECT_EQ("1", Lint.Attributes.at("failures"));

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <set>
 #include <string>
-#include <typeindex>
 
 const FObjectInitializer& FObjectInitializer::Get()
 {
@@ -20,11 +19,11 @@ const FObjectInitializer& FObjectInitializer::Get()
 namespace
 {
 
-/** By the type's name: plugins see one class of the engine. */
+/** By the type's name: plugins see one class of the engine, and the name outlives its library. */
 struct FClasses
 {
 	std::mutex Mutex;
-	std::map<std::type_index, UClass*> ByType;
+	std::map<std::string, UClass*> ByType;
 };
 
 /** Never destroyed, as libraries come and go. */
@@ -40,7 +39,7 @@ UClass* Drydock::FindOrAddClass(
 	const std::type_info& Type, const TCHAR* Name, UClass* Super, UObject* (*Make)(), UObject* (*Default)())
 {
 	const std::lock_guard Lock(GetClasses().Mutex);
-	UClass*& Class = GetClasses().ByType[Type];
+	UClass*& Class = GetClasses().ByType[Type.name()];
 	Class = Class != nullptr ? Class : new UClass(Name + 1, Super);
 	Class->Make = Make;
 	Class->Default = Default;
@@ -62,7 +61,7 @@ UClass* UObject::GetClass() const
 {
 	{
 		const std::lock_guard Lock(GetClasses().Mutex);
-		const auto Found = GetClasses().ByType.find(typeid(*this));
+		const auto Found = GetClasses().ByType.find(typeid(*this).name());
 		if (Found != GetClasses().ByType.end())
 		{
 			return Found->second;

@@ -504,6 +504,7 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 	}
 	if constexpr (std::is_base_of_v<UObject, T>)
 	{
+		T::StaticClass(); // which makes it: GetClass finds it before anybody asks
 		Struct.FromObject = [](UObject* Object) -> void*
 		{
 			return static_cast<T*>(Object);
