@@ -17,7 +17,7 @@ DRYDOCK_VERB("bless", Measure, AddBlessOptions, "Accept the pictures of a run as
 DRYDOCK_VERB("explain", Ask, AddExplainOptions, "List the effects and passes that run, and why others do not")
 DRYDOCK_VERB("list", LookUp, AddListOptions, "List passes, settings, console variables, effects, hooks, ...")
 DRYDOCK_VERB("sheet", Measure, AddSheetOptions, "Put pictures side by side into one, each with a caption")
-DRYDOCK_VERB("settings", LookUp, AddVerbsBelow, "Engine text and .cube tables of configs: import, export, cube, plan")
+DRYDOCK_VERB("settings", LookUp, AddVerbsBelow, "Engine text and tables of configs: import, export, cube, plan")
 DRYDOCK_VERB("settings import", LookUp, AddSettingsImportOptions, "Print text copied in the editor as the volumes of a config")
 DRYDOCK_VERB("settings export", LookUp, AddSettingsExportOptions, "Print the volumes of a config as actors to paste into the editor")
 DRYDOCK_VERB("settings cube", LookUp, AddSettingsCubeOptions, "Write the grade of a config as a .cube table")
