@@ -188,8 +188,9 @@ TEST_F(ObjectValues, MistakesNameTheClassTheFieldAndTheNearestName)
 			HasSubstr("2122 /objects/UTunedSettings/Mode: UTunedSettings::Mode (ETunedMode): expected one of Off, "
 					  "Multiply, Add, found \"Multipl\"; did you mean Multiply?"),
 			HasSubstr("2122 /objects/UTunedSettings/Weights/Lift: expected [X, Y, Z]"),
-			HasSubstr("2123 /objects/UTunedSettings/Mask: UTunedSettings::Mask (TObjectPtr<UTexture2D>): objects and "
-					  "assets cannot be given"),
+			HasSubstr(
+				"2122 /objects/UTunedSettings/Mask: UTunedSettings::Mask (TObjectPtr<UTexture2D>): expected the name "
+				"of a picture file, found \"/Game/A.A\""),
 			HasSubstr("2121 /objects/UTunedSettings/OnlyInTheEditor")));
 	EXPECT_THAT(GetErrors(R"(, "camera": {"Settings": {"TunedGlw": 1}})"),
 		ElementsAre("1012 /camera/Settings/TunedGlw: unknown setting; did you mean TunedGlow?"));
