@@ -254,7 +254,7 @@ TEST_F(JUnit, SarifHoldsFindingsThatAreNotMessages)
 
 TEST_F(JUnit, AWarningFailsWhereItIsAskedTo)
 {
-	Folder.WriteFrame("w.json", R"(, "camera": {"Settings": {"BloomIntensity": 100}})");
+	Folder.WriteFrame("w.json", R"(, "camera": {"Settings": {"BloomIntensity": -1}})");
 	for (const std::string Verb : {"check", "run"})
 	{
 		EXPECT_EQ(0, Folder.Call(Verb + " w.json").ExitCode) << Verb;
