@@ -126,7 +126,6 @@ function(_drydock_generate_header Header GeneratedFolder Name Module OutMade)
 	set(Registrations "")
 	foreach(Class IN LISTS Classes)
 		string(APPEND Registrations "const Drydock::TClassRegistration<${Class}> GRegister${Class}(TEXT(\"${Class}\"));\n")
-		string(APPEND Registrations "const UClass* const GClassOf${Class} = ${Class}::StaticClass();\n") # for GetClass
 	endforeach()
 	_drydock_reflect_header("${Header}" "${Module}" Reflection)
 	file(CONFIGURE OUTPUT "${GeneratedFolder}/${Name}.gen.cpp" @ONLY CONTENT

@@ -173,6 +173,16 @@ bool IsLibraryOfDrydock(const char* Path)
 	return Slash != nullptr && StartsWith(Slash + 1, "libdrydock");
 }
 
+/** The file's name of a library that is neither drydock's nor the system's: a plugin that is being loaded is not known
+ * yet. Null: it is one of these, or no library. */
+const char* FindUnknownLibrary(const char* Path)
+{
+	const char* const Slash = std::strrchr(Path, '/');
+	const bool bSystem = StartsWith(Path, "/lib") || StartsWith(Path, "/usr/");
+	return Slash != nullptr && !bSystem && !IsLibraryOfDrydock(Path) && std::strstr(Slash, ".so") != nullptr ? Slash + 1
+																											 : nullptr;
+}
+
 } // namespace
 
 void PrepareCrashPlaces()
@@ -210,7 +220,13 @@ void FindCrashPlace(const void* Context, FCrashPlace& OutPlace)
 		Dl_info Info;
 		const void* const Address = Frames.Addresses[Index];
 		const bool bKnown = dladdr(Address, &Info) != 0;
-		if (const char* const Plugin = FindPluginCode(Address, OutPlace.Offset))
+		const char* Plugin = FindPluginCode(Address, OutPlace.Offset);
+		if (Plugin == nullptr && bKnown)
+		{
+			Plugin = FindUnknownLibrary(Info.dli_fname);
+			OutPlace.Offset = uint64(static_cast<const char*>(Address) - static_cast<const char*>(Info.dli_fbase));
+		}
+		if (Plugin != nullptr)
 		{
 			OutPlace.Library = Plugin;
 			static char Lines[8192];
