@@ -100,6 +100,7 @@ int RunOnce(const FRunVerbOptions& Options)
 	std::optional<FOutputFolder> Output;
 	FRunInspection Inspection(MakeInspectOptions(Options.Inspect, Options.Run));
 	const FShaderWarnings Warnings;
+	std::vector<FDiagnostic> Warned; // found while overlays and plugins are there
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
@@ -111,7 +112,9 @@ int RunOnce(const FRunVerbOptions& Options)
 		}
 		try
 		{
-			return RunToFirstCause(Session, RunOptions);
+			FRunResult Done = RunToFirstCause(Session, RunOptions);
+			Warned = Warnings.Find();
+			return Done;
 		}
 		catch (const FError&)
 		{
@@ -120,7 +123,7 @@ int RunOnce(const FRunVerbOptions& Options)
 		}
 	}();
 	Bar.Clear();
-	PrintDiagnostics(Warnings.Find());
+	PrintDiagnostics(Warned);
 	PrintDiagnostics(Result.Diagnostics);
 	PrintDiagnostics(Options.Again.empty() ? std::vector<FDiagnostic>()
 										   : FindChangedInputs(Options.Before, Result.Inputs, Options.Again));

@@ -123,9 +123,9 @@ void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 	WriteWholeFile(Folder / "run.json", Result.RunJson);
 }
 
-/** Fills the folder; further files are by name. Returns the milliseconds it took. */
-double FillFolder(
-	const FRunResult& Result, const Files::path& Folder, const std::map<std::string, std::string>& Further = {})
+/** Fills the folder, which becomes Target; further files are by name. Returns the milliseconds it took. */
+double FillFolder(const FRunResult& Result, const Files::path& Folder, const Files::path& Target,
+	const std::map<std::string, std::string>& Further = {})
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	WriteFiles(Result, Folder);
@@ -136,9 +136,8 @@ double FillFolder(
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	if (Result.Write.count(EOutputKind::Json) > 0)
 	{
-		// Aside stands beside the folder that it becomes.
 		const Files::path Config = Files::absolute(Result.Config.File).lexically_normal();
-		const Files::path From = Files::absolute(Folder).lexically_normal();
+		const Files::path From = (Files::absolute(Target) / "").lexically_normal();
 		WriteWholeFile((Folder / "timing.json").string(),
 			MakeTimingJson(Result, SaveMs, Config.lexically_relative(From).generic_string()));
 	}
@@ -160,7 +159,7 @@ const FOutputNames& GetRunOutputNames()
 
 double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further)
 {
-	const double SaveMs = FillFolder(Result, Folder.GetAside());
+	const double SaveMs = FillFolder(Result, Folder.GetAside(), Folder.GetPath());
 	if (Further)
 	{
 		Further(Folder.GetAside(), SaveMs);
@@ -185,7 +184,7 @@ double WriteNewRunFolder(
 	}
 	FAsideFile Aside(Target);
 	MakeFolder(Aside.GetPath());
-	const double SaveMs = FillFolder(Result, Aside.GetPath(), Further);
+	const double SaveMs = FillFolder(Result, Aside.GetPath(), Target, Further);
 	WriteWholeFile(
 		(Aside.GetPath() / RunFolderListName).string(), FFileList::Make(Aside.GetPath(), TimedFiles).GetText());
 	Aside.PutInPlace();

@@ -30,7 +30,7 @@ const FMistake GMistakes[] = {
 	{"", "--pp BloomIntensity 5", 2, "--pp takes SETTING=VALUE as one word: --pp BloomIntensity=5"},
 	{"", "--dump CombineLUTss", 0, "did you mean CombineLUTs"},
 	{"", "--dump 'Combinee*'", 0, "did you mean Combin"},
-	{"", "--dump Tonemap.Tonemapp", 0, "did you mean Tonemap.Tonemap"},
+	{"", "--dump Tonemap.ViewFamilyTextur", 0, "did you mean Tonemap.ViewFamilyTexture"},
 };
 
 } // namespace
@@ -50,7 +50,7 @@ TEST(Mistakes, OfConfigAndCommandLineSayWhatToWrite)
 TEST(Mistakes, APathOfWindowsAndARawRenderAsScene)
 {
 	const FProgramFolder Folder("mistakes_scene");
-	Folder.Write("w.json", R"({"scene": {"file": "C:\\\\frames\\\\a.exr"}})");
+	Folder.Write("w.json", R"({"scene": {"file": "C:\\frames\\a.exr"}})");
 	const FOutcome Windows = Folder.Call("run w.json");
 	EXPECT_EQ(3, Windows.ExitCode);
 	EXPECT_THAT(Windows.Printed, HasSubstr("/mnt/c/frames/a.exr"));
