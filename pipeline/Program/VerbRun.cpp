@@ -360,7 +360,7 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 	Verb.Add("--report", Options->Report,
 			"Write report.html, or sequence.html for a sequence: on, off, or full, which adds the values of all "
 			"pictures. --report alone means on. It overrides the config's outputs.report. The default is on, but off "
-			"with --watch and --json")
+			"with --frames, --watch and --json")
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);

@@ -409,7 +409,9 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite, InFile));
 		}
 	}
-	Result.Arguments = ListRunArguments(Options, Result.Config);
+	FRunOptions OfFrame = Options;
+	OfFrame.Frame = Frame ? Frame : Options.Frame;
+	Result.Arguments = ListRunArguments(OfFrame, Result.Config);
 	Result.bHistory = std::ranges::any_of(Last, &FViewHistory::bValid);
 	if (Options.bRecordInputs)
 	{

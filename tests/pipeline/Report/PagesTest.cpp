@@ -7,6 +7,7 @@
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
 #include "Report/MatrixPage.h"
+#include "Report/PortablePaths.h"
 #include "Report/ReportPng.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ TEST(SequencePage, HasEveryFrameItsFiguresAndTheWalk)
 	EXPECT_NE(std::string::npos, Asked.Printed.find("page     out/walk/sequence.html\n")) << Asked.Printed;
 	const FJson Data = ReadData(Folder, "out/walk/sequence.html");
 	EXPECT_EQ(std::vector<std::string>(), CheckData(Data, "sequence.schema.json"));
-	EXPECT_EQ(FJson::parse(Folder.Read("out/walk/sequence.json")), Data["sequence"]);
+	EXPECT_EQ(FJson::parse(MakePathsPortable(Folder.Read("out/walk/sequence.json"))), Data["sequence"]);
 	ASSERT_EQ(3u, Data["figures"].size());
 	ASSERT_EQ(3u, Data["pictures"].size());
 	const FImageError Step = CompareImages(ReadPicture((Folder.Path / "out/walk/frames/0003/final.png").string()),
