@@ -216,7 +216,7 @@ void FFlattener::Define()
 	}
 }
 
-/** The macros that DXC defines by itself: https://github.com/microsoft/DirectXShaderCompiler/wiki/Predefined-Version-Macros */
+/** DXC's own macros: https://github.com/microsoft/DirectXShaderCompiler/wiki/Predefined-Version-Macros */
 void FFlattener::DefineDxcMacros()
 {
 	Preprocessor.Define("__hlsl_dx_compiler", "1");

@@ -76,7 +76,7 @@ enum class EWhere : uint8_t
 	File, // also a namespace, a cbuffer
 	Member,
 	Local,
-	Parameter
+	Parameter,
 };
 
 /** The kind of a declaration. */
