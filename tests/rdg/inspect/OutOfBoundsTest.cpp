@@ -129,7 +129,7 @@ TEST(OutOfBounds, IsAsInDirect3DHoweverItRuns)
 {
 	for (const FAccess& Access : GetAccesses())
 	{
-		for (const int32_t Lanes : {4, 8, 16})
+		for (const int32_t Lanes : GetLaneCounts())
 		{
 			FShaderHarness Harness = MakeHarness(Access);
 			Harness.Run(Lanes, NumThreads, 1);

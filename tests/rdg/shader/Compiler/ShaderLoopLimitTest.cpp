@@ -49,7 +49,7 @@ protected:
 		Harness.Buffers["Turns"] = {1, 0, 3000, 1000};
 		Harness.Buffers["Out"] = std::vector<uint32_t>(64);
 		Harness.Targets = {FTestTexture(16, 4)};
-		for (const int32_t Lanes : {4, 8, 16})
+		for (const int32_t Lanes : GetLaneCounts())
 		{
 			EXPECT_EQ(Expected, Catch([&] { Harness.Run(Lanes, 16, 4); })) << Lanes << " lanes\n" << Text;
 		}
