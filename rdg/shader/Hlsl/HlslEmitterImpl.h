@@ -257,8 +257,6 @@ private:
 	uint32_t StepOf(const FValue& Value);
 	uint32_t Negate(std::string_view Operator, const FType* Type, uint32_t A);
 	uint32_t Convert(uint32_t Id, const FType* From, const FType* To);
-	/** Convert, where the types differ. */
-	uint32_t ConvertOther(uint32_t Id, const FType* From, const FType* To);
 	uint32_t ConvertScalars(uint32_t Id, EScalar From, EScalar To, uint32_t Count);
 	uint32_t Extract(uint32_t Id, const FType* Type, uint32_t Scalar);
 	uint32_t ExtractAt(uint32_t Id, uint32_t Type, const FWords& Path);

@@ -224,7 +224,7 @@ uint32_t FEmitter::Call(const FValue& Node, FInstance** Called)
 			Back.push_back(
 				{Place(Argument), Argument.Type, {Temporary(TypeOf(Parameter.Type), "param"), Parameter.Type}});
 			Ids.push_back(Back.back().Part.Id);
-			Id = IsEmitIn(Parameter) ? ConvertOther(Load(Back.back().Target), Argument.Type, Parameter.Type) : 0;
+			Id = IsEmitIn(Parameter) ? Convert(Load(Back.back().Target), Argument.Type, Parameter.Type) : 0;
 		}
 		else
 		{
@@ -260,7 +260,7 @@ uint32_t FEmitter::Call(const FValue& Node, FInstance** Called)
 	for (const FBack& Each : Back)
 	{
 		const uint32_t Id = Op(OpLoad, TypeOf(Each.Part.Type), {Each.Part.Id});
-		Store(Each.Target, ConvertOther(Id, Each.Part.Type, Each.Type));
+		Store(Each.Target, Convert(Id, Each.Part.Type, Each.Type));
 	}
 	LastCall = Result;
 	return Result;

@@ -260,6 +260,10 @@ uint32_t FEmitter::ConvertScalars(uint32_t Id, EScalar From, EScalar To, uint32_
 
 uint32_t FEmitter::Convert(uint32_t Id, const FType* From, const FType* To)
 {
+	if (IsSame(From, To))
+	{
+		return Id;
+	}
 	if (!From->IsNumeric() || !To->IsNumeric())
 	{
 		return From->IsObject() ? Id : Build(To, {{Id, From}});
@@ -297,11 +301,6 @@ uint32_t FEmitter::Convert(uint32_t Id, const FType* From, const FType* To)
 		Scalars.push_back({Extract(Id, From, std::min(At, Size - 1)), Types.Scalar(From->Scalar)});
 	}
 	return Build(To, Scalars);
-}
-
-uint32_t FEmitter::ConvertOther(uint32_t Id, const FType* From, const FType* To)
-{
-	return IsSame(From, To) ? Id : Convert(Id, From, To);
 }
 
 } // namespace Drydock::Hlsl
