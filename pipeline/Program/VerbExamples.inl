@@ -1,6 +1,6 @@
-// Commands that --help prints behind the options of a verb. tests/pipeline/Program/VerbExamplesTest.cpp runs all of them,
-// in this order, in one folder with configs/ in it.
-// DRYDOCK_EXAMPLE(verb, arguments): a line of 80 columns at most.
+// Commands that --help prints behind the options of a verb. tests/pipeline/Program/VerbExamplesTest.cpp runs all of
+// them, in this order, in one folder with configs/ in it. DRYDOCK_EXAMPLE(verb, arguments): a line of 80 columns at
+// most.
 // clang-format off
 DRYDOCK_EXAMPLE("", "run configs/toon_bloom.json --pp BloomIntensity=2 --out out/bright")
 DRYDOCK_EXAMPLE("", "list settings Bloom")

@@ -212,16 +212,6 @@ void FRHIComputeCommandList::RunTiles(
 				"on",
 			{}, 0, 0, "shader class " + Shader.Name});
 	}
-	if (Shader.GetReflection().NumTargets > Args.NumTargets && Args.NumTargets > 0)
-	{
-		Counters.AddRemark({Drydock::ESeverity::Warning, 6023,
-			"the shader writes SV_Target" + std::to_string(Shader.GetReflection().NumTargets - 1) +
-				", and the pass binds " + std::to_string(Args.NumTargets) +
-				(Args.NumTargets == 1 ? " render target" : " render targets") +
-				": what it writes there is lost; set RenderTargets[" +
-				std::to_string(Shader.GetReflection().NumTargets - 1) + "]",
-			{}, 0, 0, "shader class " + Shader.Name});
-	}
 	Counters.Pixels += Pixels;
 	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static
@@ -404,6 +394,16 @@ void FRHICommandList::DrawRect(
 		return;
 	}
 	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets();
+	const int32 NumBound = RenderPass.GetNumColorRenderTargets();
+	if (const int32 NumWritten = BoundPixel.GetReflection().NumTargets; NumWritten > NumBound && NumBound > 0)
+	{
+		const std::string Last = std::to_string(NumWritten - 1);
+		Counters.AddRemark({Drydock::ESeverity::Warning, 6023,
+			"the shader writes SV_Target" + Last + ", and the pass binds " + std::to_string(NumBound) +
+				(NumBound == 1 ? " render target" : " render targets") +
+				": what it writes there is lost; set RenderTargets[" + Last + "]",
+			{}, 0, 0, "shader class " + BoundPixel.Name});
+	}
 	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
 	Args.Targets = Targets.data();
 	Args.NumTargets = int32(Targets.size());

@@ -178,8 +178,8 @@ TEST_F(GlowGrade, TraceTakesATexelOrAThread)
 
 TEST_F(GlowGrade, ACheckLooksAtASampleUnlessToldOtherwise)
 {
-	Drydock::FImage Large{960, 540, 3, std::vector<double>(960 * 540 * 3, 0.25)};
-	Drydock::WriteExr((Folder.Path / "scene.exr").string(), Large, {"R", "G", "B"});
+	Drydock::FImage Large{960, 540, 4, std::vector<double>(960 * 540 * 4, 0.25)};
+	Drydock::WriteExr((Folder.Path / "scene.exr").string(), Large, {"R", "G", "B", "depth.Z"});
 	const std::string Options = "--out out --check nan --pass GlowSetup ";
 	const std::string Printed = Call("run", 4, Options).Printed;
 	EXPECT_TRUE(

@@ -87,11 +87,12 @@ TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
 	{
 		Paths.push_back(File.Path);
 	}
-	const std::vector<std::string> Expected = {".gitignore", ".vscode/launch.json", ".vscode/settings.json",
-		".vscode/tasks.json", "CMakeLists.txt", "README.md", "Rain.uplugin", "Shaders/Private/DrydockPrint.ush",
-		"Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
-		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
-		"configs/scenes/room.exr", "configs/schema/drydock.schema.json", "tests/RainTest.cpp"};
+	const std::vector<std::string> Expected = {".github/workflows/drydock.yml", ".gitignore", ".vscode/launch.json",
+		".vscode/settings.json", ".vscode/tasks.json", "CMakeLists.txt", "README.md", "Rain.uplugin",
+		"Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp",
+		"Source/Rain/Private/RainViewExtension.cpp", "Source/Rain/Private/RainViewExtension.h",
+		"Source/Rain/Rain.Build.cs", "configs/Rain.json", "configs/scenes/room.exr",
+		"configs/schema/drydock.schema.json", "tests/RainTest.cpp"};
 	EXPECT_EQ(Expected, Paths);
 }
 

@@ -60,8 +60,8 @@ TEST(RunAgain, HasTheSameBits)
 	const FProgramFolder Folder("again");
 	Folder.WriteFrame("frame.json", "");
 	ASSERT_EQ(0, Folder
-					 .Call("run frame.json --exec \"r.BloomQuality 2\" --set r.BloomQuality=3 --pp BloomIntensity=3 "
-						   "--storage float32 --dump BloomSetup --out a/b")
+					 .Call("run frame.json --exec \"r.BloomQuality 2\" --set r.LUT.Size=16 --pp BloomIntensity=3 "
+						   "--storage float32 --dump *Tonemap* --out a/b")
 					 .ExitCode);
 	const FOutcome Again = Folder.Call("run --again a/b/run.json --out c --report off");
 	ASSERT_EQ(0, Again.ExitCode) << Again.Printed;

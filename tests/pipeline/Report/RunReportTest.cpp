@@ -105,8 +105,10 @@ TEST(RunReport, OfAPluginHasItsPassesItsVariablesAndTheLedger)
 {
 	const FProgramFolder Folder("report_plugin");
 	Folder.WriteFrame("frame.json", R"(, "plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libTestPlugin.so"])");
-	EXPECT_EQ(0, Folder.Call("run frame.json --pp BloomIntensity=2 --set r.BloomQuality=3").ExitCode);
+	EXPECT_EQ(0, Folder.Call("run frame.json --pp BloomIntensity=2 --set r.BloomQuality=3 --set r.TestPlugin.Enabled=1")
+					 .ExitCode);
 	const FJson Report = ReadData(Folder);
+	ASSERT_FALSE(Report["explain"]["plugins"].empty());
 	EXPECT_EQ("plugin libTestPlugin.so", Report["explain"]["plugins"][0]["name"]);
 	EXPECT_EQ("r.BloomQuality", Report["run"]["variables"][0]["name"]);
 	EXPECT_EQ(2.0, Report["blend"]["ledger"]["BloomIntensity"].back()["after"]);

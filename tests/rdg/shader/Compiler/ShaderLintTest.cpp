@@ -206,7 +206,7 @@ TEST(ShaderLint, NamesThatTheEnginesVersionDoesNotHave)
 	for (const int Minor : {0, 3, 4})
 	{
 		SetLintEngine(Minor);
-		EXPECT_EQ(Minor == 3 ? std::vector<std::string>{"not-in-engine:6"} : std::vector<std::string>(), Lint(Request));
+		EXPECT_EQ(Minor == 3 ? std::vector<std::string>{"not-in-engine:7"} : std::vector<std::string>(), Lint(Request));
 	}
 	SetLintEngine(0);
 }

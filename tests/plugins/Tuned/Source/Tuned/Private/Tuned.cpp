@@ -3,11 +3,14 @@
 #include "Engine/Engine.h"
 #include "EngineUtils.h"
 #include "HAL/IConsoleManager.h"
+#include "Interfaces/IPluginManager.h"
+#include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 #include "PixelShaderUtils.h"
 #include "PostProcess/PostProcessing.h"
 #include "PostProcessSetting.h"
 #include "SceneRendering.h"
+#include "ShaderCore.h"
 #include "ShaderParameterStruct.h"
 #include "TunedActor.h"
 #include "TunedSettings.h"
@@ -115,6 +118,8 @@ public:
 		const UClass* Class = GetDefault<UTunedSettings>()->GetClass();
 		check(Class == UTunedSettings::StaticClass() && Class->GetName() == TEXT("TunedSettings"));
 		check(Class->IsChildOf<UDeveloperSettings>() && Class->GetDefaultObject() == GetDefault<UTunedSettings>());
+		AddShaderSourceDirectoryMapping(TEXT("/Plugin/Tuned"),
+			FPaths::Combine(IPluginManager::Get().FindPlugin(TEXT("Tuned"))->GetBaseDir(), TEXT("Shaders")));
 		Extension = FSceneViewExtensions::NewExtension<FTunedExtension>();
 	}
 
