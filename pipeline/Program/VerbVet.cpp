@@ -46,7 +46,8 @@ struct FVetRow
 	double Seconds = 0.0;
 	size_t NumErrors = 0;
 	size_t NumWarnings = 0;
-	std::string First; // of the findings; of none what the step has to say
+	std::string First;                 // of the findings; of none what the step has to say
+	std::vector<FDiagnostic> Messages; // of a build that failed
 };
 
 double GetSecondsSince(std::chrono::steady_clock::time_point Begin)
@@ -70,7 +71,8 @@ std::string Build(const FVetOptions& Options, const std::string& Output, FVetRow
 	{
 		PrintDiagnostics(Error.GetDiagnostics());
 		Row.ExitCode = Error.GetExitCode();
-		Row.NumErrors = Error.GetDiagnostics().size();
+		Row.Messages = Error.GetDiagnostics();
+		Row.NumErrors = Row.Messages.size();
 		const std::string& Message = Error.GetDiagnostics().front().Message;
 		Row.First = Message.substr(0, Message.find('\n'));
 		return "";
@@ -165,6 +167,8 @@ std::string MakeVetJson(const std::vector<FVetRow>& Rows)
 				{"errors", static_cast<uint64_t>(Row.NumErrors)}, {"warnings", static_cast<uint64_t>(Row.NumWarnings)},
 				{"first", Row.First}});
 		});
+	Writer.Key("messages");
+	WriteDiagnostics(Writer, Rows.front().Messages);
 	return Writer.GetText();
 }
 

@@ -165,7 +165,8 @@ void WriteWarnings(FJsonWriter& Writer, const FRunResult& Result)
 				Where += ":" + std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column);
 			}
 			Where += (Where.empty() || Diagnostic.Where.empty() ? "" : " ") + Diagnostic.Where;
-			Writer.Object({{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Where}});
+			Writer.Object({{"severity", Diagnostic.Severity == ESeverity::Note ? "note" : "warning"},
+				{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Where}});
 		});
 }
 

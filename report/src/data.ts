@@ -68,6 +68,7 @@ export interface Effect {
 }
 
 export interface Message {
+	severity: "warning" | "note";
 	code: string;
 	message: string;
 	where: string;

@@ -76,7 +76,7 @@ export function findSideways() {
 	}
 	for (const picture of document.querySelectorAll("#canvas, .chart, .plot-box svg, .order")) {
 		const { left, right, height } = picture.getBoundingClientRect();
-		if (height && (left < 0 || right > innerWidth || height < 40 || right - left < Math.min(250, innerWidth * 0.6))) {
+		if (height && !picture.closest(".panel") && (left < 0 || right > innerWidth || height < 40 || right - left < Math.min(250, innerWidth * 0.6))) {
 			faults.push(`${picture.id || picture.getAttribute("class")} is from ${left} to ${right}, ${height} high`);
 		}
 	}

@@ -68,7 +68,8 @@ struct DrydockSetPixel
 		const int* const Ran = DrydockRun->Position;
 		if (DrydockPixel.x != Ran[0] || DrydockPixel.y != Ran[1] || DrydockPixel.z != Ran[2])
 		{
-			std::fprintf(stderr, "DrydockPixel: %s\n", DrydockDebugPixel(DrydockPixel.x, DrydockPixel.y, DrydockPixel.z));
+			std::fprintf(
+				stderr, "DrydockPixel: %s\n", DrydockDebugPixel(DrydockPixel.x, DrydockPixel.y, DrydockPixel.z));
 		}
 	}
 };

@@ -21,10 +21,12 @@ function whether(report: Report): HTMLElement {
 	const { run, timing } = report;
 	const [x0, y0, x1, y1] = run.scene.viewRect;
 	const ran = run.passes.filter((pass) => pass.executed).length;
-	const warnings = run.warnings.length;
+	const warnings = run.warnings.filter((message) => message.severity === "warning").length;
+	const notes = run.warnings.length - warnings;
+	const said = [warnings ? count(warnings, "warning") : "", notes ? count(notes, "note") : ""].filter(Boolean).join(" and ");
 	return row("worked", "Did it work?", warnings ? "note" : "good", [
 		`Yes: ${count(ran, "pass", "passes")} made a picture of ${x1 - x0} × ${y1 - y0} in ${ms(timing.wallMs)}, `,
-		warnings ? to("messages", `with ${count(warnings, "warning")}`) : "without a warning", ".",
+		said ? to("messages", `with ${said}`) : "without a warning", ".",
 	], run.warnings.slice(0, 3).map((warning) => `${warning.code}  ${warning.message}`));
 }
 
