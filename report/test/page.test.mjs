@@ -31,10 +31,13 @@ test("a run without an earlier one, and one with warnings, say so", async () => 
 	const other = structuredClone(data);
 	delete other.previous;
 	other.pictures = other.pictures.filter((picture) => picture.role !== "previous");
-	other.run.warnings = [{ code: "DD4001", message: "BloomSetup </script> is strange", where: "configs/x.json:3:4" }];
+	other.run.warnings = [
+		{ severity: "warning", code: "DD4001", message: "BloomSetup </script> is strange", where: "configs/x.json:3:4" },
+		{ severity: "note", code: "DD4004", message: "it changed nothing", where: "" },
+	];
 	await withData(other, (file) => onPage(file, async (page) => {
 		assert.match(await page.textContent("#answer-changed"), /no earlier run/);
-		assert.match(await page.textContent("#answer-worked"), /with 1 warning.*BloomSetup <\/script> is strange/s);
+		assert.match(await page.textContent("#answer-worked"), /with 1 warning and 1 note.*BloomSetup <\/script> is strange/s);
 		assert.ok(await page.isDisabled("#mode-b"));
 		await page.click("#messages .link");
 		assert.match(await page.textContent("#pass-detail h3"), /BloomSetup/);
