@@ -292,7 +292,8 @@ int main(int ArgumentCount, char** Arguments)
 		ReplaceText(Shader, Text);
 	};
 	const fs::path Source = fs::path(Patch) / "Source/Patch/Private/PatchViewExtension.cpp";
-	const std::vector<std::string> RunOnce = {Program, "run", Config, "--out", (Folder / "once").string()};
+	const std::vector<std::string> RunOnce = {
+		Program, "run", Config, "--out", (Folder / "once").string(), "--report", "off"};
 	std::vector<FRow> Rows = {{"a shader, `run --watch`"}, {"a shader, `run`"}, {"nothing, `run`"},
 		{"a patch's C++, `drydock build`"}, {"of a shader: `g++`, its kernel"},
 		{"the least of that: `g++`, no kernel, precompiled headers"}, {"of a patch's C++: `c++`, its file"},

@@ -130,9 +130,9 @@ void RunBloomSetupThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "76433243ac003e5e")
-REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "76433243ac003e5e")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "8cf5f7e06c6d2a7b")
-REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "8cf5f7e06c6d2a7b")
+REGISTER_NATIVE_KERNEL(FBloomSetupPS, &RunBloomSetupPixels<FBloomSetupPS>, "fc13b7aa3fcdec08")
+REGISTER_NATIVE_KERNEL(FBloomSetupCS, &RunBloomSetupThreads<FBloomSetupCS>, "fc13b7aa3fcdec08")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupPS, &RunBloomSetupPixels<FToonBloomSetupPS>, "7f511491e400d272")
+REGISTER_NATIVE_KERNEL(FToonBloomSetupCS, &RunBloomSetupThreads<FToonBloomSetupCS>, "7f511491e400d272")
 
 } // namespace Drydock

@@ -86,6 +86,6 @@ void RunCharaGlowBox(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox, "09a038bb5f447d68")
+REGISTER_NATIVE_KERNEL(FCharaGlowBoxPS, &RunCharaGlowBox, "484574a740135a8b")
 
 } // namespace Drydock

@@ -52,7 +52,7 @@ void RunDownsampleThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "fa72e4c0a11a3c7a")
-REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "fa72e4c0a11a3c7a")
+REGISTER_NATIVE_KERNEL(FDownsamplePS, &RunDownsamplePixels, "87363ea5d27dd4bf")
+REGISTER_NATIVE_KERNEL(FDownsampleCS, &RunDownsampleThreads, "87363ea5d27dd4bf")
 
 } // namespace Drydock

@@ -93,7 +93,7 @@ void RunKawaseUp(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDualKawaseDownCS, &RunKawaseDown, "fdd4a03964199428")
-REGISTER_NATIVE_KERNEL(FDualKawaseUpCS, &RunKawaseUp, "fdd4a03964199428")
+REGISTER_NATIVE_KERNEL(FDualKawaseDownCS, &RunKawaseDown, "c93cbbe88b4e075f")
+REGISTER_NATIVE_KERNEL(FDualKawaseUpCS, &RunKawaseUp, "c93cbbe88b4e075f")
 
 } // namespace Drydock

@@ -48,7 +48,7 @@ void RunOneTap(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "cb9f35771766bdc7")
-REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "cb9f35771766bdc7")
+REGISTER_NATIVE_KERNEL(FFourTapCS, &RunFourTaps, "46f369775fe1135d")
+REGISTER_NATIVE_KERNEL(FOneTapCS, &RunOneTap, "46f369775fe1135d")
 
 } // namespace Drydock

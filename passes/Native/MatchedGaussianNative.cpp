@@ -66,6 +66,6 @@ void RunMatchedGaussian(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "fdd4a03964199428")
+REGISTER_NATIVE_KERNEL(FDualKawaseGaussianCS, &RunMatchedGaussian, "c93cbbe88b4e075f")
 
 } // namespace Drydock

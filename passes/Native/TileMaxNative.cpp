@@ -108,7 +108,7 @@ void RunDOFTileMax(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "05ae5bb05e204b57")
-REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "5d7961a5b1c34c40")
+REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "4f13deb0d65e64a6")
+REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "6fbee6e2d05599ce")
 
 } // namespace Drydock

@@ -128,7 +128,7 @@ void RunTonemapThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "bd86d3b9cf4d4fd9")
-REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "bd86d3b9cf4d4fd9")
+REGISTER_NATIVE_KERNEL(FTonemapPS, &RunTonemapPixels, "7c17ef7796637807")
+REGISTER_NATIVE_KERNEL(FTonemapCS, &RunTonemapThreads, "7c17ef7796637807")
 
 } // namespace Drydock

@@ -105,7 +105,7 @@ void RunFilterThreads(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "ad09efbaee9bbf6d")
-REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "ad09efbaee9bbf6d")
+REGISTER_NATIVE_KERNEL(FFilterPS, &RunFilterPixels, "21b16b5d01d84762")
+REGISTER_NATIVE_KERNEL(FFilterCS, &RunFilterThreads, "21b16b5d01d84762")
 
 } // namespace Drydock

@@ -35,6 +35,7 @@
 #include "RenderingThread.h"
 #include "ShaderCore.h"
 #include "ShaderParameterStruct.h"
+#include "ShaderParameterUtils.h"
 #include "ShaderPermutation.h"
 #include "TextureResource.h"
 #include "UniformBuffer.h"

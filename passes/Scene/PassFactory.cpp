@@ -2,6 +2,9 @@
 #include "PassFactory.h"
 
 #include "RangeTools.h"
+#include "TextTools.h"
+
+#include <algorithm>
 
 namespace Drydock
 {
@@ -37,8 +40,14 @@ void UnregisterPassFactory(const std::string& Type)
 
 const FPassFactory* FindPassFactory(const std::string& Type)
 {
-	const auto Found = GetPassRegistry().find(Type);
-	return Found == GetPassRegistry().end() ? nullptr : &Found->second;
+	auto& Registry = GetPassRegistry();
+	auto Found = Registry.find(Type);
+	if (Found == Registry.end())
+	{
+		Found = std::ranges::find_if(
+			Registry, [&](const auto& Each) { return ToLowerCase(Each.first) == ToLowerCase(Type); });
+	}
+	return Found == Registry.end() ? nullptr : &Found->second;
 }
 
 std::vector<const FPassFactory*> GetPassFactories()

@@ -54,7 +54,7 @@ struct FPassFactory
 DRYDOCK_API bool RegisterPassFactory(FPassFactory Factory);
 DRYDOCK_API void UnregisterPassFactory(const std::string& Type);
 
-/** Null when there is none. */
+/** The case of letters does not matter where only it differs. Null when there is none. */
 DRYDOCK_API const FPassFactory* FindPassFactory(const std::string& Type);
 
 /** All, by type. Valid until one is registered or unregistered. */

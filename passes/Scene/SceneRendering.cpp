@@ -52,6 +52,8 @@ void FViewInfo::InitViewUniformBuffer(FIntPoint BufferExtent)
 	Parameters.ScreenPositionScaleBias = FVector4f(0.5f * Size.X / Extent.X, -0.5f * Size.Y / Extent.Y,
 		(0.5f * Size.Y + Min.Y) / Extent.Y, (0.5f * Size.X + Min.X) / Extent.X);
 
+	Parameters.TemporalAAJitter = FVector4f(
+		FVector2f(ViewMatrices.GetTemporalAAJitter()), FVector2f(PrevViewInfo.ViewMatrices.GetTemporalAAJitter()));
 	Parameters.TemporalAAParams = FVector4f(0.0f, 1.0f, 0.0f, 0.0f);
 	Parameters.MaterialTextureDerivativeMultiply = 1.0f;
 	Parameters.CullingSign = 1.0f;

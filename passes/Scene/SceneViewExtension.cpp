@@ -226,6 +226,19 @@ int32 FSceneViewExtensions::MarkPlugin(const std::string& Plugin, uint64 First)
 	return NumMarked;
 }
 
+std::vector<std::string> FSceneViewExtensions::GetNamesOfPlugin(const std::string& Plugin) const
+{
+	std::vector<std::string> Names;
+	for (const FEntry& Entry : Entries)
+	{
+		if (Entry.Info.Plugin == Plugin && Entry.Extension.IsValid())
+		{
+			Names.push_back(Entry.Info.Name);
+		}
+	}
+	return Names;
+}
+
 void FSceneViewExtensions::ForgetPlugin(const std::string& Plugin)
 {
 	Entries.RemoveAll([&](const FEntry& Entry) { return Entry.Info.Plugin == Plugin; });

@@ -25,6 +25,7 @@
 #include "Camera/CameraTypes.h"
 #include "CoreMinimal.h"
 #include "Engine/Engine.h"
+#include "Misc/EngineApi.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
 #include "RenderingThread.h"
@@ -102,15 +103,15 @@ public:
 	 * numbers differ between versions. */
 	enum class EPostProcessingPass : uint32
 	{
-		BeforeDOF,            // 5.5
-		AfterDOF,             // 5.5
-		TranslucencyAfterDOF, // 5.5
-		SSRInput,             // 5.1
-		ReplacingTonemapper,  // 5.5
+		BeforeDOF DRYDOCK_API_BeforeDOF,                       // 5.5
+		AfterDOF DRYDOCK_API_AfterDOF,                         // 5.5
+		TranslucencyAfterDOF DRYDOCK_API_TranslucencyAfterDOF, // 5.5
+		SSRInput,                                              // 5.1
+		ReplacingTonemapper DRYDOCK_API_ReplacingTonemapper,   // 5.5
 		MotionBlur,
 		Tonemap,
 		FXAA,
-		SMAA, // 5.7
+		SMAA DRYDOCK_API_SMAA, // 5.7
 		VisualizeDepthOfField,
 		MAX
 	};
@@ -223,6 +224,52 @@ private:
 namespace Drydock
 {
 
+/** Calls the functions of overrides that not every engine version has, which the compiler reports by EngineApi.h. */
+template<typename T>
+struct TVersionedOverrides
+{
+	DRYDOCK_API_GetFlags static void GetFlags() {}
+	DRYDOCK_API_PostCreateSceneRenderer static void PostCreateSceneRenderer() {}
+	DRYDOCK_API_PostTLASBuild static void PostTLASBuild() {}
+	DRYDOCK_API_PreRenderBasePass static void PreRenderBasePass() {}
+	DRYDOCK_API_Subscribe static void Subscribe() {}
+	DRYDOCK_API_SubscribeWithView static void SubscribeWithView() {}
+};
+
+template<typename T>
+void CheckOverrides()
+{
+	using FPass = ISceneViewExtension::EPostProcessingPass;
+	using FCallbacks = FPostProcessingPassDelegateArray;
+	using FCheck = TVersionedOverrides<T>;
+	if constexpr (requires {
+					  requires !std::is_same_v<decltype(&T::GetFlags), decltype(&ISceneViewExtension::GetFlags)>;
+				  })
+	{
+		FCheck::GetFlags();
+	}
+	if constexpr (DRYDOCK_HAS_HOOK(T, PostCreateSceneRenderer, const FSceneViewFamily&, ISceneRenderer*))
+	{
+		FCheck::PostCreateSceneRenderer();
+	}
+	if constexpr (DRYDOCK_HAS_HOOK(T, PostTLASBuild_RenderThread, FRDGBuilder&, FSceneView&))
+	{
+		FCheck::PostTLASBuild();
+	}
+	if constexpr (DRYDOCK_HAS_HOOK(T, PreRenderBasePass_RenderThread, FRDGBuilder&, bool))
+	{
+		FCheck::PreRenderBasePass();
+	}
+	if constexpr (DRYDOCK_HAS_HOOK(T, SubscribeToPostProcessingPass, FPass, FCallbacks&, bool))
+	{
+		FCheck::Subscribe();
+	}
+	if constexpr (DRYDOCK_HAS_HOOK(T, SubscribeToPostProcessingPass, FPass, const FSceneView&, FCallbacks&, bool))
+	{
+		FCheck::SubscribeWithView();
+	}
+}
+
 template<typename T>
 FExtensionInfo DescribeExtension(int32 EngineMinor)
 {
@@ -272,6 +319,10 @@ FExtensionInfo DescribeExtension(int32 EngineMinor)
 	Note(PostRenderViewFamily, DRYDOCK_HAS_HOOK(T, PostRenderViewFamily_RenderThread, FRDGBuilder&, FSceneViewFamily&));
 	Note(PostRenderViewFamilyCommandList,
 		DRYDOCK_HAS_HOOK(T, PostRenderViewFamily_RenderThread, FCommandList&, FSceneViewFamily&));
+	if constexpr (DRYDOCK_ENGINE_NAMES != 0)
+	{
+		CheckOverrides<T>();
+	}
 	return Info;
 }
 
@@ -309,6 +360,9 @@ public:
 
 	/** Notes that all registered since First belong to a plugin. Returns how many these are. */
 	int32 MarkPlugin(const std::string& Plugin, uint64 First);
+
+	/** Names of the extensions that a plugin registered, by its file, in their order. */
+	std::vector<std::string> GetNamesOfPlugin(const std::string& Plugin) const;
 
 	/** Forgets a plugin's extensions, before its library goes away. */
 	void ForgetPlugin(const std::string& Plugin);

@@ -20,7 +20,7 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarLUTSize(TEXT("r.LUT.Size"), 32,
-	TEXT("Colours to a side of the combined colour grading table, 16 to 64; 32 by default."), ECVF_RenderThreadSafe);
+	TEXT("Colours to a side of the combined colour grading table, 16 to 65; 32 by default."), ECVF_RenderThreadSafe);
 
 TAutoConsoleVariable<int32> CVarTonemapLUT(TEXT("r.Drydock.TonemapLUT"), 1,
 	TEXT(
@@ -32,7 +32,17 @@ TAutoConsoleVariable<float> CVarSceneColorMultiplier(TEXT("r.HDR.Aces.SceneColor
 	TEXT("Factor before the ACES tone scales, which are darker than the film curve; 1.5 by default."),
 	ECVF_RenderThreadSafe);
 
-DRYDOCK_SCREEN_SHADERS(FCombineLUT, FColorRemapParameters, Drydock::FColorRemapPermutation, RWOutputTexture);
+TAutoConsoleVariable<int32> CVarLUTInput(TEXT("r.Drydock.LUTInput"), 0,
+	TEXT("Positions of the combined colour grading table: 0 as the tonemapper reads it, logarithmic (default). 1 sRGB "
+		 "codes, for drydock settings cube: the picture of such a run is wrong."),
+	ECVF_RenderThreadSafe);
+
+BEGIN_SHADER_PARAMETER_STRUCT(FCombineLUTParameters, )
+	SHADER_PARAMETER_STRUCT_INCLUDE(FColorRemapParameters, Remap)
+	SHADER_PARAMETER(uint32, bLUTInputEncoded)
+END_SHADER_PARAMETER_STRUCT()
+
+DRYDOCK_SCREEN_SHADERS(FCombineLUT, FCombineLUTParameters, Drydock::FColorRemapPermutation, RWOutputTexture);
 
 IMPLEMENT_GLOBAL_SHADER(FCombineLUTPS, "/Drydock/Private/PostProcessColorRemap.usf", "MainPS", SF_Pixel);
 IMPLEMENT_GLOBAL_SHADER(FCombineLUTCS, "/Drydock/Private/PostProcessColorRemap.usf", "MainCS", SF_Compute);
@@ -160,7 +170,7 @@ FColorRemap MakeColorRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View)
 
 int32 GetLUTSize()
 {
-	return FMath::Clamp(CVarLUTSize.GetValueOnRenderThread(), 16, 64);
+	return FMath::Clamp(CVarLUTSize.GetValueOnRenderThread(), 16, 65);
 }
 
 bool IsTonemapLUTUsed()
@@ -176,8 +186,11 @@ FRDGTextureRef Drydock::BuiltInAddCombineLUTPass(FRDGBuilder& GraphBuilder, cons
 	const bool bCompute = View.bUseComputePasses;
 	const FScreenPassRenderTarget Table =
 		CreateTable(GraphBuilder, Remap.Permutation.Get<Drydock::FOutputDeviceDimension>(), bCompute);
+	FCombineLUTParameters Parameters;
+	Parameters.Remap = Remap.Parameters;
+	Parameters.bLUTInputEncoded = CVarLUTInput.GetValueOnRenderThread() != 0 ? 1 : 0;
 	const FString Name = FString::Printf(TEXT("CombineLUTs %d"), Table.ViewRect.Height());
 	return Drydock::AddScreenShaderPass<FCombineLUTPS, FCombineLUTCS>(GraphBuilder, View, {Name, Table, bCompute},
-		Remap.Parameters, Remap.Permutation, &FCombineLUTCS::FParameters::RWOutputTexture)
+		Parameters, Remap.Permutation, &FCombineLUTCS::FParameters::RWOutputTexture)
 		.Texture;
 }

@@ -78,7 +78,7 @@ struct FColorRemap
  * blends. */
 DRYDOCK_API FColorRemap MakeColorRemap(FRDGBuilder& GraphBuilder, const FViewInfo& View);
 
-/** r.LUT.Size, 16 to 64. */
+/** r.LUT.Size, 16 to 65. */
 DRYDOCK_API int32 GetLUTSize();
 
 /** r.Drydock.TonemapLUT. */

@@ -32,6 +32,11 @@ struct FTonemapperOutputDeviceParameters
  * Rec.709 curve.
  * */
 DRYDOCK_API FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters();
+/** The engine's form. */
+inline FTonemapperOutputDeviceParameters GetTonemapperOutputDeviceParameters(const class FSceneViewFamily&)
+{
+	return GetTonemapperOutputDeviceParameters();
+}
 
 namespace Drydock
 {

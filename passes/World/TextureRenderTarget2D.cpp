@@ -2,6 +2,7 @@
 #include "Engine/TextureRenderTarget2D.h"
 
 #include "Engine/BlendableInterface.h"
+#include "Engine/TextureRenderTargetVolume.h"
 #include "Kismet/KismetRenderingLibrary.h"
 #include "RenderGraphUtils.h"
 
@@ -18,6 +19,20 @@ void Fill(FRHITexture& Texture, const FLinearColor& Color, FIntPoint Size)
 	{
 		Texture.WriteRow(0, Y, Row);
 	}
+}
+
+/** All of a target where the rectangle is empty. */
+template<typename T>
+bool ReadTexels(const FRenderTarget& Target, TArray<T>& OutTexels, FReadSurfaceDataFlags Flags, FIntRect Rect)
+{
+	const FTextureRHIRef& Texture = Target.GetRenderTargetTexture();
+	if (!Texture)
+	{
+		return false;
+	}
+	FRHICommandListExecutor::GetImmediateCommandList().ReadSurfaceData(
+		Texture, Rect.IsEmpty() ? FIntRect(FIntPoint::ZeroValue, Target.GetSizeXY()) : Rect, OutTexels, Flags);
+	return true;
 }
 
 } // namespace
@@ -86,6 +101,47 @@ void UTextureRenderTarget2D::UpdateResourceImmediate(bool bClearRenderTarget)
 		Fill(*TargetResource->TextureRHI, ClearColor, FIntPoint(SizeX, SizeY));
 	}
 	SetResource(TargetResource.get());
+}
+
+void UTextureRenderTargetVolume::Init(int32 InSizeX, int32 InSizeY, int32 InSizeZ, EPixelFormat InFormat)
+{
+	SizeX = InSizeX;
+	SizeY = InSizeY;
+	SizeZ = InSizeZ;
+	Format = InFormat;
+	UpdateResourceImmediate(true);
+}
+
+void UTextureRenderTargetVolume::UpdateResourceImmediate(bool bClearRenderTarget)
+{
+	SetResource(nullptr);
+	TargetResource.reset();
+	if (SizeX <= 0 || SizeY <= 0 || SizeZ <= 0)
+	{
+		return;
+	}
+	const ETextureCreateFlags UAVFlag = bCanCreateUAV ? ETextureCreateFlags::UAV : ETextureCreateFlags::None;
+	TargetResource = std::make_shared<FTextureRenderTargetResource>();
+	TargetResource->TextureRHI = new FRHITexture(
+		FRHITextureDesc::Create3D(FIntVector(SizeX, SizeY, SizeZ), Format, FClearValueBinding(ClearColor),
+			ETextureCreateFlags::ShaderResource | ETextureCreateFlags::RenderTargetable | UAVFlag),
+		TEXT("TextureRenderTargetVolume"));
+	if (bClearRenderTarget)
+	{
+		TargetResource->TextureRHI->Fill(ClearColor);
+	}
+	SetResource(TargetResource.get());
+}
+
+bool FRenderTarget::ReadPixels(TArray<FColor>& OutImageData, FReadSurfaceDataFlags Flags, FIntRect Rect) const
+{
+	return ReadTexels(*this, OutImageData, Flags, Rect);
+}
+
+bool FRenderTarget::ReadLinearColorPixels(
+	TArray<FLinearColor>& OutImageData, FReadSurfaceDataFlags Flags, FIntRect Rect) const
+{
+	return ReadTexels(*this, OutImageData, Flags, Rect);
 }
 
 FRenderTarget::~FRenderTarget() = default;

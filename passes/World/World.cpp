@@ -7,6 +7,7 @@
 #include "HAL/IConsoleManager.h"
 #include "RendererScene.h"
 #include "Subsystems/WorldSubsystem.h"
+#include "TimerManager.h"
 
 namespace
 {
@@ -35,6 +36,7 @@ UWorld::UWorld()
 	: Scene(new FScene(this))
 	, GameInstance(new UGameInstance)
 	, WorldSettings(new AWorldSettings)
+	, TimerManager(new FTimerManager)
 {
 	SetFName(TEXT("World"));
 }
@@ -44,6 +46,7 @@ UWorld::~UWorld()
 	delete Scene;
 	delete GameInstance;
 	delete WorldSettings;
+	delete TimerManager;
 }
 
 AWorldSettings* UWorld::GetWorldSettings(bool, bool) const
@@ -72,18 +75,6 @@ void UWorld::RemovePlacedActors()
 	}
 }
 
-void UWorld::TickActors()
-{
-	const std::vector<std::shared_ptr<AActor>> Now = Actors; // one that ticks may spawn others
-	for (const std::shared_ptr<AActor>& Actor : Now)
-	{
-		if (Actor->PrimaryActorTick.bCanEverTick && Actor->PrimaryActorTick.IsTickFunctionEnabled())
-		{
-			Drydock::CallCode(Actor->GetCodeOwner(), [&Actor] { Actor->Tick(0.0f); });
-		}
-	}
-}
-
 FSceneInterface::~FSceneInterface() = default;
 
 bool UWorldSubsystem::ShouldCreateSubsystem(UObject* Outer) const
@@ -106,6 +97,7 @@ void UWorldSubsystem::OnCollectionStarted()
 {
 	PostInitialize();
 	OnWorldBeginPlay(*GetWorld());
+	bStarted = true;
 }
 
 UWorld* UActorComponent::GetWorld() const
@@ -120,6 +112,10 @@ void UActorComponent::RegisterComponent()
 		bRegistered = true;
 		OnRegister();
 		InitializeComponent();
+		if (AActor* const Actor = GetOwner())
+		{
+			Actor->AddOwnedComponent(this);
+		}
 	}
 }
 
@@ -139,7 +135,7 @@ UWorld* AActor::GetWorld() const
 
 void AActor::Destroy()
 {
-	for (UActorComponent* const Component : Components)
+	for (UActorComponent* const Component : GetOwnedComponents())
 	{
 		Component->EndPlay(EEndPlayReason::Destroyed);
 		Component->UnregisterComponent();
@@ -154,15 +150,57 @@ void AActor::StartPlay()
 	Owner = Drydock::MakeCodeOwner("Tick of actor " + std::string(*GetName()));
 	PrimaryActorTick.SetTickFunctionEnable(PrimaryActorTick.bStartWithTickEnabled);
 	PostInitializeComponents();
-	for (UActorComponent* const Component : Components)
+	for (UActorComponent* const Component : GetOwnedComponents())
 	{
 		Component->RegisterComponent();
 	}
-	for (UActorComponent* const Component : Components)
+	bPlays = true;
+	for (UActorComponent* const Component : GetOwnedComponents())
 	{
-		Component->BeginPlay();
+		Component->StartPlay();
 	}
 	BeginPlay();
+}
+
+std::vector<UActorComponent*> AActor::GetOwnedComponents() const
+{
+	std::vector<UActorComponent*> Owned;
+	for (const TWeakObjectPtr<UActorComponent>& Component : Components)
+	{
+		if (Component.IsValid())
+		{
+			Owned.push_back(Component.Get());
+		}
+	}
+	return Owned;
+}
+
+void AActor::AddOwnedComponent(UActorComponent* Component)
+{
+	Components.AddUnique(Component);
+	if (bPlays)
+	{
+		Component->StartPlay();
+	}
+}
+
+void UActorComponent::StartPlay()
+{
+	if (!std::exchange(bPlays, true))
+	{
+		PrimaryComponentTick.SetTickFunctionEnable(PrimaryComponentTick.bStartWithTickEnabled);
+		BeginPlay();
+	}
+}
+
+FTimerManager& AActor::GetWorldTimerManager() const
+{
+	return GWorld->GetTimerManager();
+}
+
+FTimerManager& UGameInstance::GetTimerManager() const
+{
+	return GWorld->GetTimerManager();
 }
 
 float AActor::GetActorTimeDilation() const

@@ -34,7 +34,7 @@ void AddExtensionEdits(const FRunSetup& Setup, FBlendReport& Report)
 
 } // namespace
 
-FBlendReport MakeBlendReport(const FRunSetup& Setup, const std::string& LocationFrom)
+FBlendReport MakeBlendReport(const FRunSetup& Setup, const std::string& LocationFrom, bool bExtensions)
 {
 	const FSettingsBlender Blender = MakeSettingsBlender(Setup.Config);
 	FBlendReport Report;
@@ -50,7 +50,10 @@ FBlendReport MakeBlendReport(const FRunSetup& Setup, const std::string& Location
 	Report.Volumes = Blender.FindVolumes(Report.Location);
 	Report.Blended = Blender.At(Report.Location, &Report.Ledger);
 	Report.Diagnostics = Setup.Diagnostics;
-	AddExtensionEdits(Setup, Report);
+	if (bExtensions)
+	{
+		AddExtensionEdits(Setup, Report);
+	}
 	return Report;
 }
 

@@ -53,6 +53,7 @@ FImageError ReadError(const FJsonValue& Variant)
 	Error.Relative = Variant.GetNumber("relative", Infinity);
 	Error.Psnr = Variant.GetNumber("psnr", Error.Rms == 0.0 ? Infinity : 0.0);
 	Error.Ssim = Variant.GetNumber("ssim", 0.0);
+	Error.Flip = Variant.GetNumber("flip", 1.0);
 	return Error;
 }
 

@@ -65,8 +65,10 @@ struct FRunOptions
 	bool bNoSkip = false;
 	bool bMeasureEffects = false;            // figures and pictures of effects (FEffect::Measure), after the frame
 	bool bFingerprints = false;              // of what each pass wrote, in run.json
+	bool bRecordInputs = false;              // fingerprints of what the run depends on, in run.json
 	bool bKeepForReport = false;             // of each pass its parameters and small pictures (FRunPass)
 	bool bPassValues = false;                // the constants of each pass's parameters (FRunResult::PassValues)
+	bool bFollowUnwritten = true;            // warn of texels that nothing wrote and a pass reads
 	bool bUseBudget = true;                  // a config with a budget and a study runs what the study recommends
 	std::shared_ptr<FSceneCache> SceneCache; // of runs in a row: decoded channels; null: each run reads for itself
 	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times

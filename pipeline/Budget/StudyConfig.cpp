@@ -350,7 +350,7 @@ private:
 		}
 		if (Study.Metrics.empty())
 		{
-			Study.Metrics = {"rms", "max", "relative", "psnr", "ssim"};
+			Study.Metrics = {"rms", "max", "relative", "psnr", "ssim", "flip"};
 		}
 	}
 

@@ -96,8 +96,8 @@ FScreenPassTexture FInsertionPoints::Run(EPoint Point, FScreenPassTexture SceneC
 		{
 			Sequence.AcceptOverrideIfLastPass(*Pass, CallbackInputs.OverrideOutput, static_cast<int32>(Index));
 		}
-		SceneColor = RunPassCallback(
-			GraphBuilder, View, GetPassName(Point), PointCallbacks[Index], CallbackInputs, Extensions.GetLog());
+		SceneColor = RunPassCallback(GraphBuilder, View, GetPassName(Point), PointCallbacks[Index], CallbackInputs,
+			GetInsertionPoint(Point).Space == EColorSpace::LinearHDR, Extensions.GetLog());
 		if (bDropped && SceneColor.Texture != CallbackInputs.Textures[0].Texture)
 		{
 			Extensions.GetLog().Diagnostics.push_back(MakeExtensionDiagnostic(
@@ -120,7 +120,7 @@ FScreenPassTexture FInsertionPoints::RunReplacingTonemapper(
 		CallbackInputs.OutputFormat = GetDisplayFormat(GetTonemapperOutputDeviceParameters().OutputDevice);
 	}
 	return RunPassCallback(GraphBuilder, View, GetPassName(EPoint::ReplacingTonemapper),
-		At(EPoint::ReplacingTonemapper)[0], CallbackInputs, Extensions.GetLog());
+		At(EPoint::ReplacingTonemapper)[0], CallbackInputs, false, Extensions.GetLog());
 }
 
 void FInsertionPoints::Skip(EPoint Point, const std::string& Reason)

@@ -73,6 +73,47 @@ FBreach FindBreach(const FPostProcessMaterialInputs& Inputs, const FScreenPassTe
 	return {};
 }
 
+bool HoldsLight(EPixelFormat Format)
+{
+	return Format == PF_FloatRGBA || Format == PF_FloatRGB || Format == PF_FloatR11G11B10 || Format == PF_A32B32G32R32F;
+}
+
+/** Adds what is allowed, and what the passes behind seldom expect. */
+void NoteUnexpected(const FPostProcessMaterialInputs& Inputs, const FScreenPassTexture& Result, bool bLinear,
+	FDiagnostic Diagnostic, std::vector<FDiagnostic>& Out)
+{
+	const FScreenPassTexture Given(Inputs.GetInput(EPostProcessMaterialInput::SceneColor));
+	const FIntPoint Size = Result.ViewRect.Size();
+	const FIntPoint Before = Given.ViewRect.Size();
+	if (Inputs.OverrideOutput.IsValid())
+	{
+		return;
+	}
+	const auto Add = [&](ESeverity Severity, int Code, const std::string& Message)
+	{
+		Diagnostic.Severity = Severity;
+		Diagnostic.Code = Code;
+		Diagnostic.Message = Message;
+		Out.push_back(Diagnostic);
+	};
+	if (Size != Before)
+	{
+		Add(ESeverity::Note, NoteCallbackSize,
+			"its callback returned a view of " + std::to_string(Size.X) + " x " + std::to_string(Size.Y) +
+				", and its input is " + std::to_string(Before.X) + " x " + std::to_string(Before.Y) +
+				": the passes behind it go on at the size that it returned; draw to a rect as large as the input's");
+	}
+	const EPixelFormat Format = Result.Texture->Desc.Format;
+	if (bLinear && HoldsLight(Given.Texture->Desc.Format) && !HoldsLight(Format))
+	{
+		Add(ESeverity::Warning, WarnCallbackFormat,
+			"its callback returned " + TextureText(Result.Texture) + " of " + GetPixelFormatString(Format) +
+				", and its input is linear light of " + GetPixelFormatString(Given.Texture->Desc.Format) +
+				": what the format does not hold is lost before bloom and tonemapper; create the output from the "
+				"input's Desc");
+	}
+}
+
 FScreenPassTexture ReturnUntouched(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FPostProcessMaterialInputs& Inputs)
 {
@@ -104,7 +145,7 @@ std::string DescribeResult(const FPostProcessMaterialInputs& Inputs, const FScre
 } // namespace
 
 FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& View, const std::string& Point,
-	const FPassCallback& Callback, const FPostProcessMaterialInputs& Inputs, FHookLog& Log)
+	const FPassCallback& Callback, const FPostProcessMaterialInputs& Inputs, bool bLinear, FHookLog& Log)
 {
 	if (!Callback.Delegate.IsBound())
 	{
@@ -133,6 +174,9 @@ FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& 
 	{
 		Log.Calls[LogIndex].Did = DescribeResult(Inputs, Result);
 		Log.Calls[LogIndex].bReturnedInput = IsInput(Inputs, Result);
+		FDiagnostic Place = MakeExtensionDiagnostic(ESeverity::Note, 0, Callback.Extension, "");
+		Place.Where += " at " + Point;
+		NoteUnexpected(Inputs, Result, bLinear, std::move(Place), Log.Diagnostics);
 		return Result;
 	}
 	const ESeverity Severity = IsValidationStrict() ? ESeverity::Error : ESeverity::Warning;

@@ -9,9 +9,10 @@
 namespace Drydock
 {
 
-/** Runs Callback with Inputs, whose SceneColor slot is the picture so far. Point: its name in the log. Returns the
- * picture from then on; where OverrideOutput is valid, that one. Throws FError with r.RDG.Validation 2. */
+/** Runs Callback with Inputs, whose SceneColor slot is the picture so far. Point: its name in the log.
+ * bLinear: what the callback returns is light before the tonemapper. Returns the picture from then on; where
+ * OverrideOutput is valid, that one. Throws FError with r.RDG.Validation 2. */
 FScreenPassTexture RunPassCallback(FRDGBuilder& GraphBuilder, const FNamedView& View, const std::string& Point,
-	const FPassCallback& Callback, const FPostProcessMaterialInputs& Inputs, FHookLog& Log);
+	const FPassCallback& Callback, const FPostProcessMaterialInputs& Inputs, bool bLinear, FHookLog& Log);
 
 } // namespace Drydock

@@ -49,6 +49,10 @@ public:
 	{
 		Add(ESeverity::Warning, Code, At.KeyLine, At.KeyColumn, At.Pointer, Message);
 	}
+	void Note(int Code, const FConfigPlace& At, const std::string& Message)
+	{
+		Add(ESeverity::Note, Code, At.Line, At.Column, At.Pointer, Message);
+	}
 	void Warn(int Code, const FConfigPlace& At, const std::string& Message)
 	{
 		Add(ESeverity::Warning, Code, At.Line, At.Column, At.Pointer, Message);

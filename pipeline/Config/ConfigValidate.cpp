@@ -2,6 +2,8 @@
 #include "Config/ConfigReader.h"
 
 #include "Config/ConfigKeys.h"
+#include "HAL/IConsoleManager.h"
+#include "PostProcessSettingsReflection.h"
 #include "RangeTools.h"
 #include "TextTools.h"
 
@@ -28,8 +30,7 @@ public:
 			const FConfigKey* Key = FindConfigKey(Object, Name);
 			if (Key == nullptr)
 			{
-				Messages.ErrorAtKey(ErrorUnknownKey, Member,
-					"unknown key \"" + Name + "\"" + Messages.SuggestFrom(Name, [&] { return NamesOf(Object); }));
+				Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key \"" + Name + "\"" + FindPlace(Name, Object));
 				continue;
 			}
 			ValidateMember(Member, *Key);
@@ -44,6 +45,25 @@ public:
 	}
 
 private:
+	/** The nearest key of the object; for a name that belongs elsewhere, where it belongs. */
+	std::string FindPlace(const std::string& Name, const std::string& Object) const
+	{
+		const std::string Key = Messages.SuggestFrom(Name, [&] { return NamesOf(Object); });
+		const char* const Settings = FindConfigKey(Object, "Settings") != nullptr
+										 ? "\"Settings\" beside it"
+										 : "the \"Settings\" of \"camera\" or of a volume";
+		if (FindSettingField(Name) != nullptr || FindSettingFieldByOverride(Name) != nullptr)
+		{
+			return std::string("; this is a setting, and belongs in ") + Settings;
+		}
+		if (IConsoleManager::Get().FindConsoleVariable(Name.c_str()) != nullptr)
+		{
+			return "; this is a console variable, and belongs in \"cvars\" of the config";
+		}
+		const std::string Setting = Key.empty() ? Messages.SuggestSetting(Name) : "";
+		return Setting.empty() ? Key : Setting + " That is a setting, and belongs in " + Settings;
+	}
+
 	static std::vector<std::string> NamesOf(const std::string& Object)
 	{
 		std::vector<std::string> Names;

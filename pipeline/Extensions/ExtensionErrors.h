@@ -14,12 +14,16 @@ enum EExtensionError
 	ErrorCallbackNotDrawn = 2063,       // OverrideOutput, with nothing drawn to it
 	NoteCallbackReturnedInput = 2064,   // though it added passes, which nobody reads
 	NoteCallbackDidNothing = 2065,      // it returned its input and added no pass
+	NoteCallbackSize = 2066,            // a view of another size than its input
+	WarnCallbackFormat = 2067,          // a format that cuts light at 1, before the tonemapper
 
 	WarnHookNeverCalled = 2070,   // an override that this engine version does not call
 	WarnEngineDiffers = 2071,     // compiled for another engine version than the run's
 	WarnCallbackDropped = 2072,   // a callback after the last enabled pass: its texture is not seen
 	WarnCallbackUnbound = 2073,   // the object of a callback is gone
 	WarnPointNotReached = 2074,   // subscribed where this frame does not call
+	NotePluginIdle = 2076,        // none of its extensions took part
+	NotePluginUnmapped = 2077,    // drydock maps its shaders, it does not
 	WarnEngineUnknown = 2075,     // compiled for an engine version that there is no row of
 	ErrorPluginRefused = 2079,    // one that a config names in a run without plugins
 	ErrorUnknownExtension = 2080, // no extension type of that name

@@ -5,6 +5,7 @@
 #include "AddedSettingFields.h"
 #include "CodeScope.h"
 #include "ExtensionFactory.h"
+#include "Engine/World.h"
 #include "Extensions/ExtensionErrors.h"
 #include "GlobalShader.h"
 #include "Modules/ModuleManager.h"
@@ -12,6 +13,8 @@
 #include "PassFunctions.h"
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
+#include "ShaderDirectories.h"
+#include "TimerManager.h"
 
 #include <dlfcn.h>
 #include <filesystem>
@@ -62,6 +65,7 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 		[&]
 		{
 			GEngine->ViewExtensions->ForgetPlugin(Path);
+			GWorld->GetTimerManager().ClearAllTimersOf(Owner.Plugin);
 			dlclose(Plugin.Handle);
 		});
 	ForgetPluginCode(Owner.Plugin);
@@ -71,6 +75,32 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 		return false;
 	}
 	return true;
+}
+
+/** Notes folders of shaders that the engine would not find: drydock alone mapped them, since the first Before ones. */
+void NoteUnmapped(const FConfigPlace& Place, size_t Before, FConfigMessages& Messages)
+{
+	const std::vector<FShaderDirectory> All = GetShaderDirectories();
+	for (size_t Index = Before; Index < All.size(); ++Index)
+	{
+		const std::string& Virtual = All[Index].Virtual;
+		const bool bMapped = !All[Index].bByDrydock || std::ranges::any_of(All, [&](const FShaderDirectory& Other)
+														   { return !Other.bByDrydock && Other.Virtual == Virtual; });
+		std::string Used;
+		ForEachGlobalShader(
+			[&](const FGlobalShaderType& Type)
+			{
+				const std::string File = Type.GetShaderFilename();
+				Used = File.starts_with(Virtual + "/") ? File : Used;
+			});
+		if (!bMapped && !Used.empty())
+		{
+			Messages.Note(NotePluginUnmapped, Place,
+				"the plugin does not map " + Virtual + ", and the engine will not find " + Used +
+					": call AddShaderSourceDirectoryMapping(TEXT(\"" + Virtual +
+					"\"), ...) in its module's StartupModule; drydock maps it to " + All[Index].Real);
+		}
+	}
 }
 
 /** Whether it is loaded; else that is reported. */
@@ -98,6 +128,7 @@ bool Load(
 		}
 	}
 	const size_t NumBefore = CountRegistered();
+	const size_t NumMapped = CountShaderDirectories();
 	const uint64 FirstExtension = GEngine->ViewExtensions->GetNextRegistration();
 	// Local: plugins see drydock's symbols and not each other's, which may bear the same names.
 	void* const Handle = CallCode(FCodeOwner{Name, "constructors of static variables (dlopen)"},
@@ -121,6 +152,7 @@ bool Load(
 	}
 	Values.GiveTo(Name);
 	CallCode(FCodeOwner{Name, "the start of its modules"}, [] { FModuleManager::Get().StartupPendingModules(); });
+	NoteUnmapped(Plugin.Place, NumMapped, Messages);
 	const int32 NumExtensions = GEngine->ViewExtensions->MarkPlugin(Path, FirstExtension);
 	const bool bOverlay = Plugin.Place.Pointer == "/overlay"; // which ReportOverlays looks at
 	if (NumExtensions == 0 && CountRegistered() == NumBefore && !bOverlay)
@@ -146,7 +178,8 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 		const std::string Path = Files::canonical(Given, Missing).string();
 		if (Missing == std::errc::no_such_file_or_directory)
 		{
-			Messages.Error(ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist");
+			Messages.Error(
+				ErrorFileMissing, Plugin.Place, "the plugin " + Given + " does not exist" + DescribeWindowsPath(Given));
 		}
 		else if (const std::string Problem = Missing ? Missing.message() : FRegularFile(Path).GetProblem();
 				 !Problem.empty())

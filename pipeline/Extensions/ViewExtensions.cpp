@@ -9,6 +9,7 @@
 #include "PostProcessSettingsReflection.h"
 #include "RangeTools.h"
 #include "TextTools.h"
+#include "UnrealClient.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -88,14 +89,18 @@ FViewExtensionFrame::FViewExtensionFrame(const FEngineProfile& InEngine, FHookLo
 {
 }
 
-void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& Plugins)
+void FViewExtensionFrame::Gather(FSceneViewFamily& Family, const std::optional<std::vector<std::string>>& InPlugins)
 {
-	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(FSceneViewExtensionContext(Family.Scene));
+	Plugins = InPlugins.value_or(std::vector<std::string>());
+	FSceneViewExtensionContext Context(Family.Scene);
+	FViewport Viewport(*Family.RenderTarget);
+	Context.Viewport = &Viewport;
+	Family.ViewExtensions = GEngine->ViewExtensions->GatherActiveExtensions(Context);
 	Family.ViewExtensions.RemoveAll(
 		[&](const TSharedRef<ISceneViewExtension, ESPMode::ThreadSafe>& Extension)
 		{
 			const FExtensionInfo* Info = GEngine->ViewExtensions->FindInfo(*Extension);
-			return Plugins && Info != nullptr && !Info->Plugin.empty() && !Contains(*Plugins, Info->Plugin);
+			return InPlugins && Info != nullptr && !Info->Plugin.empty() && !Contains(Plugins, Info->Plugin);
 		});
 	std::unordered_map<std::string, int> Numbers; // how many of a name
 	for (const FExtension& Earlier : Extensions)
@@ -434,6 +439,37 @@ void FViewExtensionFrame::Finish(const FRDGCompiledGraph& Graph)
 				"its callback at " + Call.Hook +
 					" added no pass and returned its input: it is off here, by a setting, a console variable, a weight "
 					"of 0 or a condition of its own"));
+		}
+	}
+	ReportIdlePlugins();
+}
+
+/** A plugin took part where a call of one of its extensions did something that can be seen. */
+void FViewExtensionFrame::ReportIdlePlugins()
+{
+	for (const std::string& Plugin : Plugins)
+	{
+		const std::vector<std::string> Names = GEngine->ViewExtensions->GetNamesOfPlugin(Plugin);
+		std::string Active;
+		bool bTookPart = Names.empty(); // it may have passes or settings alone
+		for (const FExtension& Extension : Extensions)
+		{
+			if (Extension.Info.Plugin == Plugin)
+			{
+				Active += (Active.empty() ? "" : ", ") + Extension.Label;
+				bTookPart = bTookPart || std::ranges::any_of(Log.Calls, [&](const FHookCall& Call)
+											 { return Call.Extension == Extension.Label && !Call.Did.empty(); });
+			}
+		}
+		if (!bTookPart)
+		{
+			Log.Diagnostics.push_back({.Severity = ESeverity::Note,
+				.Code = NotePluginIdle,
+				.Message = Active.empty() ? "no extension of the plugin is active in this frame: " + JoinText(Names) +
+												" said no in IsActiveThisFrame_Internal"
+										  : "no extension of the plugin took part: " + Active +
+												" subscribed nothing, added no pass and changed no setting",
+				.Where = "plugin " + Plugin.substr(Plugin.rfind('/') + 1)});
 		}
 	}
 }

@@ -85,6 +85,7 @@ private:
 	};
 
 	void ReportVersion(const FExtension& Extension);
+	void ReportIdlePlugins();
 	template<typename TFunction>
 	void Call(FExtension& Extension, EExtensionHook Hook, const std::string& ViewName, TFunction Function);
 	template<typename TFunction>
@@ -94,6 +95,7 @@ private:
 	FEngineProfile Engine;
 	FHookLog& Log;
 	std::vector<FExtension> Extensions;
+	std::vector<std::string> Plugins; // that the frame was given
 };
 
 /** A warning or error about an extension. */

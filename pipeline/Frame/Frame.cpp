@@ -10,12 +10,14 @@
 #include "Frame/FamilyTarget.h"
 #include "Frame/FrameCamera.h"
 #include "Misc/App.h"
+#include "Misc/CoreDelegates.h"
 #include "Modules/ModuleManager.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphNotes.h"
 #include "RenderGraphObserver.h"
 #include "RenderGraphUtils.h"
 #include "Tonemap/TonemapOutputDevice.h"
+#include "UniformBufferStructs.h"
 
 #include <algorithm>
 #include <chrono>
@@ -86,6 +88,7 @@ public:
 		}
 	}
 	bool WantsZeroedTextures() const override { return Next != nullptr && Next->WantsZeroedTextures(); }
+	bool OnTextureMade(FRHITexture& Texture) override { return Next != nullptr && Next->OnTextureMade(Texture); }
 	bool ShowsWarnings() const override { return Next != nullptr && Next->ShowsWarnings(); }
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override
@@ -139,9 +142,15 @@ public:
 	{
 		const auto Begin = std::chrono::steady_clock::now();
 		FModuleManager::Get().StartupPendingModules();
-		GWorld->TickActors();
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
+		FApp::UpdateLastTime();
+		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds));
+		FApp::SetDeltaTime(static_cast<double>(Inputs.Time.DeltaRealTimeSeconds));
+		FCoreDelegates::OnBeginFrame.Broadcast();
+		GWorld->Tick(Inputs.Time.DeltaWorldTimeSeconds, static_cast<double>(Inputs.Time.WorldTimeSeconds));
 		SetUpFamily();
 		BuildAndRunGraph();
+		FCoreDelegates::OnEndFrame.Broadcast();
 		Result.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 		Extensions.Finish(Observer.Graph);
@@ -181,11 +190,9 @@ private:
 		Family.RenderTarget = &FamilyTarget;
 		Family.FrameNumber = Inputs.FrameNumber;
 		Family.FrameCounter = Inputs.FrameNumber;
+		GFrameNumber = GFrameNumberRenderThread = Inputs.FrameNumber;
+		GFrameCounter = GFrameCounterRenderThread = Inputs.FrameNumber;
 		Family.Time = Inputs.Time;
-		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds - Inputs.Time.DeltaRealTimeSeconds));
-		FApp::UpdateLastTime();
-		FApp::SetCurrentTime(static_cast<double>(Inputs.Time.RealTimeSeconds));
-		FApp::SetDeltaTime(static_cast<double>(Inputs.Time.DeltaRealTimeSeconds));
 		Extensions.Gather(Family, Inputs.Plugins);
 		Extensions.SetupViewFamily(Family);
 		for (size_t Index = 0; Index < Inputs.Views.size(); ++Index)
@@ -299,6 +306,9 @@ private:
 			UpdateCamera(View->View);
 			View->View.InitViewUniformBuffer(Inputs.Extent);
 		}
+		const FFrameUniformBufferScope OwnView(
+			Inputs.Engine.bUnboundBufferEnds ? nullptr : FViewUniformShaderParameters::FTypeInfo::GetStructMetadata(),
+			Views.front()->View.ViewUniformBuffer->GetContents());
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;

@@ -3,21 +3,19 @@
 
 #include "Diagnostics.h"
 #include "Hazards/HazardPictures.h"
+#include "KernelRerun.h"
 #include "PixelFormatConversion.h"
 #include "Run/RunDump.h"
 #include "RunningCode.h"
-#include "Sandbox.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
 #include "Text/TextFormat.h"
-#include "TileExecutor.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
 
 namespace Drydock
 {
@@ -25,57 +23,19 @@ namespace Drydock
 namespace
 {
 
-constexpr size_t Margin = 64; // which kernels may read on either side of a texture
-
-/** A texture of one mip with memory of its own. */
-class FOwnTexture
+void WriteImage(const FImage& Image, const FKernelTexture& Texture)
 {
-public:
-	/** With the first mip's contents. Storage: of the copy; contents are taken over where it is the texture's own. */
-	FOwnTexture(const FKernelTexture& Like, ETexelStorage Storage)
-		: Mip(Like.Mips[0])
-		, Texture(Like)
+	const int32_t TexelBytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
+	for (int y = 0; y < Image.Height; ++y)
 	{
-		const int32_t TexelBytes = GetTexelStorageInfo(Storage).BytesPerTexel;
-		Mip.RowPitch = Mip.SizeX * TexelBytes;
-		Mip.SlicePitch = int64_t(Mip.RowPitch) * Mip.SizeY;
-		Memory.resize(size_t(Mip.SlicePitch) * size_t(Mip.SizeZ) + 2 * Margin);
-		Mip.Data = Memory.data() + Margin;
-		for (int32_t y = 0; Storage == Like.Storage && y < Mip.SizeY; ++y)
+		for (int x = 0; x < Image.Width; ++x)
 		{
-			std::memcpy(Mip.Data + int64_t(y) * Mip.RowPitch, Like.Mips[0].Data + int64_t(y) * Like.Mips[0].RowPitch,
-				size_t(Mip.RowPitch));
-		}
-		Texture.Storage = Storage;
-		Texture.NumMips = 1;
-	}
-
-	void Write(const FImage& Image)
-	{
-		const int32_t TexelBytes = GetTexelStorageInfo(Texture.Storage).BytesPerTexel;
-		for (int y = 0; y < Image.Height; ++y)
-		{
-			for (int x = 0; x < Image.Width; ++x)
-			{
-				const double Color[4] = {
-					Image.Get(x, y, 0), Image.Get(x, y, 1), Image.Get(x, y, 2), Image.Get(x, y, 3)};
-				EncodeTexel(Texture.Storage, Color, Mip.Data + int64_t(y) * Mip.RowPitch + int64_t(x) * TexelBytes,
-					Texture.bSaturateStore != 0);
-			}
+			const double Color[4] = {Image.Get(x, y, 0), Image.Get(x, y, 1), Image.Get(x, y, 2), Image.Get(x, y, 3)};
+			EncodeTexel(Texture.Storage, Color, GetTexelAddress(Texture.Mips[0], x, y, TexelBytes),
+				Texture.bSaturateStore != 0);
 		}
 	}
-
-	FKernelTexture Get()
-	{
-		Texture.Mips = &Mip;
-		return Texture;
-	}
-
-private:
-	FKernelMip Mip;
-	FKernelTexture Texture;
-	std::vector<uint8_t> Memory;
-};
+}
 
 FImage ReadImage(const FKernelTexture& Texture)
 {
@@ -137,46 +97,16 @@ public:
 	/** The first render target, or texture that a compute shader stores to. */
 	FImage Run(const FReplaced& Replaced) const
 	{
-		const FSandbox Sandbox(FrameArgs, Shader.GetReflection());
-		FKernelArgs Args = Sandbox.GetArgs();
-		std::vector<FKernelTexture> Textures(Shader.Textures);
-		const ETexelStorage Storage = Replaced.bFloat32 ? ETexelStorage::RGBA32_FLOAT : Textures[Replaced.Slot].Storage;
-		FOwnTexture Input(Textures[Replaced.Slot], Storage);
-		Input.Write(*Replaced.Picture);
-		Textures[Replaced.Slot] = Input.Get();
-		Args.Textures = Textures.data();
-
-		std::vector<std::unique_ptr<FOwnTexture>> Targets;
-		std::vector<FKernelTarget> KernelTargets(FrameArgs.Targets, FrameArgs.Targets + FrameArgs.NumTargets);
-		for (FKernelTarget& Target : KernelTargets)
-		{
-			Targets.push_back(std::make_unique<FOwnTexture>(Target.Texture, Target.Texture.Storage));
-			Target.Texture = Targets.back()->Get();
-		}
-		Args.Targets = KernelTargets.data();
-
-		std::vector<std::vector<uint8_t>> Constants(Shader.ConstantData);
-		std::vector<const uint8_t*> Buffers;
+		FKernelRerun Rerun(Shader, FrameArgs, Whole);
+		WriteImage(*Replaced.Picture, (Replaced.bFloat32 ? Rerun.OwnInput(Replaced.Slot, ETexelStorage::RGBA32_FLOAT)
+														 : Rerun.OwnInput(Replaced.Slot))
+										  .Get());
 		if (Replaced.Constant)
 		{
-			const FShaderConstant& Constant = *Replaced.Constant;
-			for (int32_t c = 0; c < Constant.Columns; ++c)
-			{
-				std::memcpy(Constants[Constant.Buffer].data() + Constant.Offset + size_t(c) * sizeof(float),
-					&Replaced.Value, sizeof(float));
-			}
+			Rerun.SetConstant(*Replaced.Constant, Replaced.Value);
 		}
-		for (const std::vector<uint8_t>& Buffer : Constants)
-		{
-			Buffers.push_back(Buffer.data());
-		}
-		Args.ConstantBuffers = Buffers.data();
-
-		const int32_t GroupRows = std::max(1, Shader.GetReflection().GroupSize[1]);
-		ForEachTile(
-			Whole, FIntVector(0, 16 * GroupRows, 0), [&](const FKernelTile& Tile) { Shader.Run(Args, Tile); },
-			Shader.bDouble ? EDenormals::Keep : EDenormals::Flush);
-		return ReadImage(KernelTargets.empty() ? Args.RWTextures[0] : KernelTargets[0].Texture);
+		Rerun.Run();
+		return ReadImage(Rerun.GetWritten()[0]);
 	}
 
 private:
@@ -248,6 +178,8 @@ bool AreEqual(const FImage& A, const FImage& B, const FKernelTile& Drawn)
 	return bEqual;
 }
 
+using FColor3 = std::array<double, 3>;
+
 /** One pixel that is not as the others: the clean picture is another. */
 bool HasBadPixel(EHazard Hazard)
 {
@@ -276,7 +208,10 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 	const FCodeOwner* const Owner = GetRunningCode();
 	const std::string Name = Owner && !Owner->Pass.empty() ? Owner->Pass : Shader.Name;
 	Passes.push_back(Name);
-	if (!IsPassNamed(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
+	const bool bOfPlugin = Owner != nullptr && !Owner->Plugin.empty();
+	bPluginRan = bPluginRan || bOfPlugin;
+	if (Request.Pass.empty() ? !bOfPlugin
+							 : !IsPassNamed(Request.Pass, Name) && !MatchesPattern(Request.Pass, Shader.Name))
 	{
 		return;
 	}
@@ -297,7 +232,7 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 		return;
 	}
 	const FKernelMip& Mip = Shader.Textures[Slot].Mips[0];
-	FHazardRow Row{Name, Shader.Name, Reflection.Textures[Slot].Name, Mip.SizeX, Mip.SizeY, {}};
+	FHazardRow Row{Name, Shader.Name, Reflection.Textures[Slot].Name, Mip.SizeX, Mip.SizeY, {}, {}};
 	const FPassRunner Runner(Shader, Args, Whole);
 	const int32_t OutputX =
 		Args.NumTargets > 0 ? Args.Targets[0].Texture.Mips[0].SizeX : Shader.RWTextures[0].Mips[0].SizeX;
@@ -342,14 +277,32 @@ void FHazardCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArg
 			}
 		}
 	}
+	for (const auto& [Tone, In] : {std::pair("grey", FColor3{0.18, 0.18, 0.18}), {"mid grey", FColor3{0.5, 0.5, 0.5}},
+			 {"a colour", FColor3{0.75, 0.5, 0.25}}})
+	{
+		FImage Flat{Mip.SizeX, Mip.SizeY, 4, {}};
+		for (int Pixel = 0; Pixel < Mip.SizeX * Mip.SizeY; ++Pixel)
+		{
+			Flat.Values.insert(Flat.Values.end(), In.begin(), In.end());
+			Flat.Values.push_back(1.0);
+		}
+		const FImage Result = Runner.Run({Slot, &Flat});
+		const int X = std::min(BadResult.X, Result.Width - 1), Y = std::min(BadResult.Y, Result.Height - 1);
+		const FColor3 Out = {Result.Get(X, Y, 0), Result.Get(X, Y, 1), Result.Get(X, Y, 2)};
+		Row.Tones.push_back({Tone, In, Out, DescribeTone(In, Out)});
+	}
 	Rows.push_back(std::move(Row));
 }
 
 const std::vector<FHazardRow>& FHazardCapture::GetRows() const
 {
-	if (!Rows.empty())
+	if (!Rows.empty() || (Request.Pass.empty() && bPluginRan))
 	{
 		return Rows;
+	}
+	if (Request.Pass.empty() && !bPluginRan)
+	{
+		throw BadArgument("no pass of a plugin ran a shader; name a pass", "--pass");
 	}
 	const bool bFits = std::any_of(
 		Passes.begin(), Passes.end(), [this](const std::string& Pass) { return IsPassNamed(Request.Pass, Pass); });

@@ -6,6 +6,7 @@
 #include "Hazards/Hazards.h"
 #include "Picture/ImageFile.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ struct FHazardFinding
 	bool bAsInput = false; // bits of the input, as its format stores it
 };
 
+/** A colour that was everywhere in the input, and what the middle of the output became. */
+struct FHazardTone
+{
+	std::string Name; // "mid grey"
+	std::array<double, 3> In = {};
+	std::array<double, 3> Out = {};
+	std::string Says; // "as it was", "as sRGB encodes it", ...
+};
+
 /** A dispatch or draw of the pass. */
 struct FHazardRow
 {
@@ -39,11 +49,12 @@ struct FHazardRow
 	int Width = 0;     // of that
 	int Height = 0;
 	std::vector<FHazardFinding> Findings;
+	std::vector<FHazardTone> Tones;
 };
 
 struct FHazardRequest
 {
-	std::string Pass;  // pattern with * and ?, of a pass's name or its shader's
+	std::string Pass;  // pattern with * and ?, of a pass's name or its shader's; empty: all passes of plugins
 	std::string Input; // as the shader calls it; empty: the first that has red, green and blue
 };
 
@@ -55,12 +66,14 @@ public:
 
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
-	/** One at least. Throws FError (DD1020): no pass fits, or none reads such a texture. */
+	/** One at least; none where no pass is named and those of plugins read no picture. Throws FError (DD1020): no pass
+	 * fits, or none reads such a texture. */
 	const std::vector<FHazardRow>& GetRows() const;
 
 private:
 	const FHazardRequest Request;
 	std::vector<FHazardRow> Rows;
+	bool bPluginRan = false;         // a pass of a plugin did
 	std::vector<std::string> Passes; // all that ran a shader
 	std::vector<std::string> Inputs; // textures of those that fit
 };
@@ -68,6 +81,9 @@ private:
 /** A line for each hazard: what spread, what stayed, what became NaN. */
 DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row, int Width = 0);
 DRYDOCK_API std::string MakeHazardJson(const std::vector<FHazardRow>& Rows);
+
+/** Describes in a few words what became of a colour; empty: nothing known. */
+DRYDOCK_API std::string DescribeTone(const std::array<double, 3>& In, const std::array<double, 3>& Out);
 
 /** Describes a finding: "spreads 2 pixels far: 25 of 4096 are NaN". */
 DRYDOCK_API std::string DescribeFinding(const FHazardFinding& Finding);

@@ -2,9 +2,16 @@
 #include "Inspect/CheckCapture.h"
 
 #include "PixelFormatConversion.h"
+#include "Inspect/StatedFindings.h"
+#include "RunningCode.h"
+#include "ShaderDirectories.h"
 #include "Text/ConfigErrors.h"
+#include "ThreadRuns.h"
+
+#include <algorithm>
 
 #include <cmath>
+#include <tuple>
 
 namespace Drydock
 {
@@ -39,9 +46,33 @@ FCheckSet MakeCheckSet(const std::vector<std::string>& Names)
 	return Set;
 }
 
-FCheckCapture::FCheckCapture(const FCheckSet& InChecks, std::string InPasses)
+namespace
+{
+
+constexpr size_t MostOfPlugin = 32768;
+constexpr size_t MostOfOwn = 4096;
+const std::vector<std::array<int32_t, 3>> NoThreads;
+
+} // namespace
+
+/** A file of an overlay is not drydock's own. */
+bool FCheckCapture::IsStated(const FCheckFinding& Finding) const
+{
+	const std::string OnDisk = FindShaderFile(Finding.File);
+	const bool bOverlaid = std::ranges::any_of(
+		GetShaderOverlays(), [&](const std::string& Folder) { return OnDisk.starts_with(Folder + "/"); });
+	return !bOverlaid && !Finding.File.starts_with("/Plugin/") &&
+		   std::ranges::any_of(StatedFindings,
+			   [&](const FStatedFinding& Stated)
+			   {
+				   return Finding.File.ends_with(std::string("/") + Stated.File) &&
+						  std::string(Stated.Check) == GetCheckName(Finding.Check);
+			   });
+}
+
+FCheckCapture::FCheckCapture(const FCheckSet& InChecks, FCheckScope InScope)
 	: Checks(InChecks)
-	, Passes(std::move(InPasses))
+	, Scope(std::move(InScope))
 {
 }
 
@@ -49,7 +80,7 @@ FCheckCapture::~FCheckCapture() = default;
 
 void FCheckCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile&)
 {
-	const bool bWrites = (!Shader.RWTextures.empty() || !Shader.RWBuffers.empty()) && IsPassNamed(Passes, Shader);
+	const bool bWrites = (!Shader.RWTextures.empty() || !Shader.RWBuffers.empty()) && IsPassNamed(Scope.Passes, Shader);
 	Before = bWrites ? std::make_unique<FSandbox>(Args, Shader.GetReflection()) : nullptr;
 }
 
@@ -118,13 +149,31 @@ std::vector<std::array<int32_t, 3>> FCheckCapture::FindSuspects(
 
 void FCheckCapture::AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole)
 {
-	if (!IsPassNamed(Passes, Shader))
+	if (!IsPassNamed(Scope.Passes, Shader))
 	{
 		return;
 	}
-	const bool bAll = Checks.NeedsEveryThread() || Checks[ECheck::Denormal];
-	const std::vector<std::array<int32_t, 3>> Suspects =
-		bAll ? std::vector<std::array<int32_t, 3>>() : FindSuspects(Shader, Args, Whole);
+	const bool bForeign = IsForeignCodeRunning();
+	const bool bAll =
+		Checks.NeedsEveryThread() || Checks[ECheck::Denormal] || (Scope.bHidden && Checks[ECheck::NonFinite]);
+	const size_t Most = bForeign ? MostOfPlugin : MostOfOwn;
+	std::vector<std::array<int32_t, 3>> Suspects =
+		bAll && !Scope.bAllThreads ? SampleThreads(Whole, Shader.GetReflection(), Most) : NoThreads;
+	if (!bAll || !Suspects.empty())
+	{
+		const std::vector<std::array<int32_t, 3>> Wrong = FindSuspects(Shader, Args, Whole);
+		const size_t Every = bAll ? Wrong.size() / Most + 1 : 1;
+		for (size_t Index = 0; Index < Wrong.size(); Index += Every)
+		{
+			Suspects.push_back(Wrong[Index]);
+		}
+		const auto ByRows = [](const std::array<int32_t, 3>& At)
+		{
+			return std::tuple(At[2], At[1], At[0]);
+		};
+		std::ranges::sort(Suspects, {}, ByRows);
+		Suspects.erase(std::unique(Suspects.begin(), Suspects.end()), Suspects.end());
+	}
 	if (!bAll && Suspects.empty())
 	{
 		return;
@@ -136,20 +185,32 @@ void FCheckCapture::AfterDispatch(const FBoundShader& Shader, const FKernelArgs&
 	{
 		Found = CheckThreads(*Inspected, Shader, Given, Whole, {}, Checks); // threads that store elsewhere
 	}
+	const uint64_t Total =
+		uint64_t(Whole.MaxX - Whole.MinX) * uint64_t(Whole.MaxY - Whole.MinY) * uint64_t(Whole.MaxZ - Whole.MinZ);
 	for (FCheckFinding& Finding : Found)
 	{
-		Findings.push_back({GetPassName(Shader), Shader.Name, std::move(Finding), FIntPoint(Whole.MaxX, Whole.MaxY)});
+		if (Scope.bStated || !IsStated(Finding))
+		{
+			Findings.push_back({GetPassName(Shader), Shader.Name, std::move(Finding), FIntPoint(Whole.MaxX, Whole.MaxY),
+				bForeign, bAll && !Suspects.empty() ? Suspects.size() : Total, Total});
+		}
 	}
 }
 
 std::vector<FDiagnostic> FCheckCapture::GetDiagnostics() const
 {
 	std::vector<FDiagnostic> Diagnostics;
-	for (const FPassFinding& Found : Findings)
+	std::vector<FPassFinding> Sorted = Findings;
+	std::ranges::stable_partition(Sorted, &FPassFinding::bForeign);
+	for (const FPassFinding& Found : Sorted)
 	{
 		const FCheckFinding& Finding = Found.Finding;
-		const std::string Times =
-			Finding.Threads == 1 ? std::string("at (") : "first of " + std::to_string(Finding.Threads) + " at (";
+		const std::string Sample = Found.Looked < Found.Total ? " of " + std::to_string(Found.Looked) + " threads of " +
+																	std::to_string(Found.Total)
+															  : std::string();
+		const std::string Times = Finding.Threads == 1
+									  ? std::string("at (")
+									  : "first of " + std::to_string(Finding.Threads) + Sample + " at (";
 		Diagnostics.push_back({ESeverity::Warning, WarnCheck,
 			std::string(GetCheckName(Finding.Check)) + ": " + Finding.What + ", " + Times +
 				std::to_string(Finding.First[0]) + ", " + std::to_string(Finding.First[1]) + ")" +

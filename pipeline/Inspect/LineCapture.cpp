@@ -48,6 +48,13 @@ void FLineCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs&
 	{
 		AddCoverage(Coverage, CollectLineCoverage(*Whole.Get(Shader), Shader, Args, Tile));
 	}
+	if (Request.bRanges)
+	{
+		constexpr size_t Most = 32768;
+		const auto Threads = Request.bAllThreads ? std::vector<std::array<int32_t, 3>>()
+												 : SampleThreads(Tile, Shader.GetReflection(), Most);
+		Ranges.push_back({Pass, Shader.Name, CollectLineRanges(*Whole.Get(Shader), Shader, Args, Tile, Threads)});
+	}
 	if (Request.bCost)
 	{
 		Costs.push_back({Pass, Shader.Name, MakeCostMap(*Kernels.Get(Shader), Shader, Args, Tile)});

@@ -18,6 +18,8 @@ struct FLineRequest
 	std::vector<FLinePlace> Show;
 	bool bCoverage = false;
 	bool bCost = false;
+	bool bRanges = false;
+	bool bAllThreads = false; // for ranges; else at most 32768 of a pass
 	std::string Passes = "*"; // pattern, of a pass's name or its shader's
 };
 
@@ -27,6 +29,13 @@ struct FShownLine
 	std::string Shader;
 	int Line = 0;
 	FLineValues Values;
+};
+
+struct FPassRanges
+{
+	std::string Pass;
+	std::string Shader;
+	std::vector<FLineRange> Lines;
 };
 
 struct FPassCost
@@ -48,6 +57,7 @@ public:
 	const std::vector<FShownLine>& GetShown() const;
 	const FLineCoverage& GetCoverage() const { return Coverage; }
 	const std::vector<FPassCost>& GetCosts() const { return Costs; }
+	const std::vector<FPassRanges>& GetRanges() const { return Ranges; }
 
 private:
 	std::string DescribeAbsence(size_t Index) const;
@@ -61,6 +71,7 @@ private:
 	std::set<std::string> Files;       // of shaders that ran
 	FLineCoverage Coverage;
 	std::vector<FPassCost> Costs;
+	std::vector<FPassRanges> Ranges;
 };
 
 /** "/P/X.usf" with each of its lines that has instructions: how many threads ran it, their share, and the line. */

@@ -5,6 +5,7 @@
 #include "PixelFormatConversion.h"
 #include "Inspect/DispatchShaders.h"
 #include "RunningCode.h"
+#include "RangeTools.h"
 #include "Sandbox.h"
 #include "Shader.h"
 #include "ShaderCompilation.h"
@@ -40,7 +41,7 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 		{
 			// A sample without texels is of a texture that the kernel does not read: nothing comes of it.
 			const bool bTexture = (Event.Kind == ETraceEvent::Sample && !Event.Texels.empty()) ||
-								  (Event.Kind == ETraceEvent::Load && Event.Texel.size() > 1);
+								  (Event.Kind == ETraceEvent::Load && Event.Texel.size() > 1 && !Event.bShared);
 			if (!bTexture)
 			{
 				continue;
@@ -78,6 +79,24 @@ void AddReadsOf(const FPixelTrace& Trace, std::vector<FProbeRead>& Reads)
 				{
 					Known->Weight += Texel.Weight;
 				}
+			}
+		}
+	}
+}
+
+void AddSharedOf(const FPixelTrace& Trace, std::vector<FProbeShared>& Shared)
+{
+	for (const FTraceLine& Line : Trace.Lines)
+	{
+		for (const FTraceEvent& Event : Line.Events)
+		{
+			const std::string Name =
+				Event.Texel.empty() ? Event.Name : Event.Name + "[" + std::to_string(Event.Texel[0]) + "]";
+			const bool bKnown = std::ranges::any_of(Shared, [&](const FProbeShared& Other)
+				{ return Other.Name == Name && Other.Writer == Event.Writer && Other.WriterLine == Event.WriterLine; });
+			if (Event.bShared && !bKnown)
+			{
+				Shared.push_back({Name, Event.Value.Reals, Event.Writer, Event.WriterLine});
 			}
 		}
 	}
@@ -142,25 +161,45 @@ void FProbeCapture::AddReads(
 	const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole, FProbePass& Pass)
 {
 	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
-	// The thread of the texel: pixel shaders draw theirs, compute shaders mostly write that of their own number.
-	const FKernelTexture* const Picture = Args.NumTargets > 0          ? &Args.Targets[0].Texture
-										  : !Shader.RWTextures.empty() ? &Shader.RWTextures[0]
-																	   : nullptr;
-	if (!Picture || Picture->NumMips < 1)
+	std::vector<std::array<int32_t, 3>> Threads;
+	if (Args.NumTargets > 0)
 	{
-		return;
+		const FKernelMip& Mip = Args.Targets[0].Texture.Mips[0];
+		const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Mip.SizeX, Mip.SizeY);
+		if (At[0] >= Whole.MinX && At[1] >= Whole.MinY && At[0] < Whole.MaxX && At[1] < Whole.MaxY)
+		{
+			Threads.push_back({At[0], At[1], Whole.MinZ});
+		}
 	}
-	const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Picture->Mips[0].SizeX, Picture->Mips[0].SizeY);
-	Pass.bDrawn = At[0] >= Whole.MinX && At[1] >= Whole.MinY && At[0] < Whole.MaxX && At[1] < Whole.MaxY;
-	if (!Pass.bDrawn)
-	{
-		return;
-	}
-	const FSandbox Sandbox(Args, Shader.GetReflection());
+	bool bPictures = Args.NumTargets > 0;
 	const FScopedDenormals Denormals(EDenormals::Flush);
 	try
 	{
-		AddReadsOf(TracePixel(*Inspected, Sandbox.GetArgs(), {At[0], At[1], Whole.MinZ}, false, MaxSteps), Pass.Reads);
+		for (size_t Slot = 0; Slot < Shader.RWTextures.size(); ++Slot)
+		{
+			const FKernelTexture& Texture = Shader.RWTextures[Slot];
+			if (Args.NumTargets > 0 || !HasPixels(Texture))
+			{
+				continue;
+			}
+			bPictures = true;
+			const std::array<int32_t, 2> At = Map(Request.X, Request.Y, Texture.Mips[0].SizeX, Texture.Mips[0].SizeY);
+			if (const std::optional<FTexelWriter> Writer = FindTexelWriter(
+					*Inspected, Shader, Args, Whole, Shader.GetReflection().RWTextures[Slot].Name, {At[0], At[1], 0}))
+			{
+				Pass.Threads.push_back(*Writer);
+				AddUnique(Threads, Writer->Thread);
+			}
+		}
+		Pass.bDrawn = !bPictures || !Threads.empty();
+		for (const std::array<int32_t, 3>& Thread : Threads)
+		{
+			const FSandbox Sandbox(Args, Shader.GetReflection());
+			const FPixelTrace Trace =
+				TracePixel(*Inspected, Sandbox.GetArgs(), {Thread[0], Thread[1], Thread[2]}, false, MaxSteps);
+			AddReadsOf(Trace, Pass.Reads);
+			AddSharedOf(Trace, Pass.Shared);
+		}
 	}
 	catch (const FSpirvError& Error)
 	{
@@ -190,7 +229,7 @@ void FProbeCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 	bProbing = IsPassNamed(Request.Passes, Shader);
 	if (bProbing)
 	{
-		Passes.push_back({Name, Shader.Name, true, {}, {}});
+		Passes.push_back({Name, Shader.Name, true, {}, {}, {}, {}});
 		AddReads(Shader, Args, Whole, Passes.back());
 	}
 }

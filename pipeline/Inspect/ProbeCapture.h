@@ -4,6 +4,7 @@
 #include "DispatchObserver.h"
 #include "Footprint.h"
 #include "Inspect/DispatchShaders.h"
+#include "TexelWriter.h"
 
 #include <array>
 #include <optional>
@@ -40,6 +41,15 @@ struct FProbeRead
 	std::vector<FFootprintTexel> Texels; // with the weights of all samples together, of loads 1 each
 };
 
+/** A number or vector that the pass's thread read of groupshared memory. */
+struct FProbeShared
+{
+	std::string Name; // "Tile[3]"
+	std::vector<double> Value;
+	std::array<int32_t, 3> Writer = {}; // the thread that had put it there
+	int WriterLine = 0;                 // and its line; 0: nothing wrote it
+};
+
 /** A texel after the pass. */
 struct FProbeWrite : FProbeTexel
 {
@@ -50,8 +60,10 @@ struct FProbePass
 {
 	std::string Pass;
 	std::string Shader;
-	bool bDrawn = true; // false: the pass draws or dispatches elsewhere; its texel is what was there
-	std::vector<FProbeRead> Reads;
+	bool bDrawn = true;                // false: the pass draws or dispatches elsewhere; its texel is what was there
+	std::vector<FTexelWriter> Threads; // compute: by texture, the thread that stored to the texel
+	std::vector<FProbeRead> Reads;     // of these threads, or of the pixel
+	std::vector<FProbeShared> Shared;
 	std::vector<FProbeWrite> Writes; // rows of the region, target by target
 };
 

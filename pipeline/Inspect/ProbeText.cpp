@@ -4,6 +4,7 @@
 #include "OperationText.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <functional>
@@ -16,6 +17,7 @@ namespace
 {
 
 constexpr size_t MaxProbedTexels = 6; // of a texture; of more the heaviest
+constexpr size_t MaxProbedShared = 32;
 
 std::string FormatValue(const std::array<double, 4>& Value, int NumChannels)
 {
@@ -55,6 +57,21 @@ std::string FormatReads(const FProbeRead& Read, const FProbeRequest& Request)
 												   : std::string());
 }
 
+/** "12,3", "12,3,1" */
+std::string FormatThread(const std::array<int32_t, 3>& Id)
+{
+	return fmt::format("{},{}{}", Id[0], Id[1], Id[2] ? fmt::format(",{}", Id[2]) : std::string());
+}
+
+std::string FormatShared(const FProbeShared& Shared)
+{
+	const std::string Value = JoinText(Shared.Value, ", ", [](const double Number) { return FormatReal(Number); });
+	return Shared.Name + " = " + (Shared.Value.size() > 1 ? "(" + Value + ")" : Value) +
+		   (Shared.WriterLine
+				   ? fmt::format(", put there by thread {} in line {}", FormatThread(Shared.Writer), Shared.WriterLine)
+				   : std::string(", which no thread wrote"));
+}
+
 std::string FormatWrite(const FProbeWrite& Write)
 {
 	return FormatTexel(Write.Target, Write, "");
@@ -70,6 +87,18 @@ void WritePass(FJsonWriter& Writer, const FProbePass& Pass)
 {
 	Writer.BeginObject();
 	Writer.Members({{"pass", Pass.Pass}, {"shader", Pass.Shader}, {"drawn", Pass.bDrawn}});
+	Writer.Objects("threads", Pass.Threads,
+		[&](const FTexelWriter& Thread)
+		{
+			Writer.Members({{"texture", Thread.Texture}, {"x", Thread.Texel[0]}, {"y", Thread.Texel[1]},
+				{"thread", Thread.Thread}});
+		});
+	Writer.Objects("groupshared", Pass.Shared,
+		[&](const FProbeShared& Shared)
+		{
+			Writer.Members({{"name", Shared.Name}, {"value", Shared.Value}, {"writer", Shared.Writer},
+				{"line", Shared.WriterLine}});
+		});
 	Writer.Array("reads", Pass.Reads,
 		[&](const FProbeRead& Read)
 		{
@@ -119,6 +148,18 @@ std::string MakeProbeText(
 		const FProbePass& Pass = Passes[Index];
 		Text += fmt::format("\n{}  ({})\n", Pass.Pass, Pass.Shader);
 		Text += Pass.bDrawn ? "" : "   does not draw here\n";
+		for (const FTexelWriter& Writer : Pass.Threads)
+		{
+			Text += fmt::format("   thread {} stored to {} {},{}\n", FormatThread(Writer.Thread), Writer.Texture,
+				Writer.Texel[0], Writer.Texel[1]);
+		}
+		for (size_t Index = 0; Index < Pass.Shared.size() && Index < MaxProbedShared; ++Index)
+		{
+			Text += "   reads " + FormatShared(Pass.Shared[Index]) + "\n";
+		}
+		Text += Pass.Shared.size() > MaxProbedShared
+					? fmt::format("   reads {} more of groupshared memory\n", Pass.Shared.size() - MaxProbedShared)
+					: std::string();
 		for (const FProbeRead& Read : Pass.Reads)
 		{
 			Text += fmt::format("   reads {}\n", FormatReads(Read, Request));

@@ -27,6 +27,8 @@ FLineRequest MakeLineRequest(const FInspectOptions& Options)
 	}
 	Request.bCoverage = Options.bCoverage;
 	Request.bCost = Options.bCost;
+	Request.bRanges = Options.bRanges;
+	Request.bAllThreads = Options.bAllThreads;
 	Request.Passes = Options.Passes;
 	return Request;
 }
@@ -69,7 +71,7 @@ bool IsAuthors(const std::string& File)
 
 FRunInspection::FRunInspection(const FInspectOptions& InOptions)
 	: Options(InOptions)
-	, Checks(MakeCheckSet(Options.Checks), Options.Passes)
+	, Checks(MakeCheckSet(Options.Checks), {Options.Passes, Options.bAllThreads, true, false})
 	, Lines(MakeLineRequest(Options))
 	, Prints(GetPrintAt(Options), Options.Passes)
 	, Debug(Options.Debug ? std::make_unique<FDebugCapture>(*Options.Debug) : nullptr)
@@ -185,6 +187,28 @@ std::string FRunInspection::WriteCosts(const std::filesystem::path& Folder, int 
 	return Rows.size() == 1 ? std::string() : FTextTable{Columns, Rows}.Format(Width);
 }
 
+std::string FRunInspection::FormatRanges(int Width) const
+{
+	std::string Text;
+	for (const FPassRanges& Pass : Lines.GetRanges())
+	{
+		std::vector<std::vector<std::string>> Rows = {
+			{"line", "variable", "least", "most", "NaN, Inf", "what it does"}};
+		for (const FLineRange& Range : Pass.Lines)
+		{
+			const bool bFinite = Range.Least <= Range.Most;
+			Rows.push_back({fmt::format("{}:{}", GetFileName(Range.File), Range.Line), Range.Variable,
+				bFinite ? NumberText(float(Range.Least)) : "", bFinite ? NumberText(float(Range.Most)) : "",
+				Range.NotFinite ? std::to_string(Range.NotFinite) : "", Range.Source});
+		}
+		constexpr ETextColumn Number = ETextColumn::Number;
+		const std::vector<FTextColumn> Columns = {
+			{ETextColumn::Name}, {ETextColumn::Name}, {Number}, {Number}, {Number}, {ETextColumn::Text}};
+		Text += fmt::format("{}  ({})\n", Pass.Pass, Pass.Shader) + FTextTable{Columns, Rows}.Format(Width, "  ");
+	}
+	return Text;
+}
+
 std::string FRunInspection::WriteCoverage(const std::filesystem::path& Folder) const
 {
 	const FLineCoverage& Coverage = Lines.GetCoverage();
@@ -222,7 +246,7 @@ std::string FRunInspection::Write(const std::filesystem::path& RunFolder, int Wi
 		}
 	}
 	WriteFindings(Folder);
-	return MakePrintText(Prints.GetPrints()) + WriteLines(Folder) + WriteCosts(Folder, Width) +
+	return MakePrintText(Prints.GetPrints()) + WriteLines(Folder) + WriteCosts(Folder, Width) + FormatRanges(Width) +
 		   (Options.bCoverage ? WriteCoverage(Folder) : std::string());
 }
 

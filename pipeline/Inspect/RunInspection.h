@@ -18,12 +18,17 @@ struct FInspectOptions
 	std::vector<std::string> Show;   // "X.usf:41", "X.usf:41:Weight"
 	bool bCoverage = false;
 	bool bCost = false;
+	bool bRanges = false;
+	bool bAllThreads = false; // checks and ranges look at all threads, not at a sample
 	bool bPrint = false;
 	std::vector<int> PrintAt; // empty: every thread; else x, y
 	std::optional<FDebugRequest> Debug;
 	std::string Passes = "*"; // pattern, of a pass's name or its shader's
 
-	bool IsEmpty() const { return Checks.empty() && Show.empty() && !bCoverage && !bCost && !bPrint && !Debug; }
+	bool IsEmpty() const
+	{
+		return Checks.empty() && Show.empty() && !bCoverage && !bCost && !bRanges && !bPrint && !Debug;
+	}
 };
 
 /** The folder of a run's outputs that its pictures lie in. */
@@ -53,6 +58,7 @@ private:
 	void WriteFindings(const std::filesystem::path& Folder) const;
 	std::string WriteLines(const std::filesystem::path& Folder) const;
 	std::string WriteCosts(const std::filesystem::path& Folder, int Width) const;
+	std::string FormatRanges(int Width) const;
 	std::string WriteCoverage(const std::filesystem::path& Folder) const;
 
 	const FInspectOptions Options;

@@ -4,6 +4,7 @@
 #include "Diagnostics.h"
 #include "PixelFormatConversion.h"
 #include "Sandbox.h"
+#include "TexelWriter.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
 #include "RangeTools.h"
@@ -58,7 +59,34 @@ void FTraceCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 	{
 		return;
 	}
-	const auto [X, Y, Z] = Request.At;
+	const bool bCompute = Args.NumTargets == 0 && Shader.GetReflection().Stage == EShaderStage::Compute;
+	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
+	std::string Stored;
+	std::array<int32_t, 3> Thread = Request.At;
+	try
+	{
+		for (size_t Slot = 0; bCompute && !Request.bThread && Slot < Shader.RWTextures.size() && Stored.empty(); ++Slot)
+		{
+			if (const std::optional<FTexelWriter> Writer = FindTexelWriter(
+					*Inspected, Shader, Args, Whole, Shader.GetReflection().RWTextures[Slot].Name, Request.At))
+			{
+				Stored = Writer->Texture;
+				Thread = Writer->Thread;
+			}
+		}
+	}
+	catch (const FSpirvError& Error)
+	{
+		throw FError({ESeverity::Error, 6020, Error.what(), Error.File, Error.Line, 0, "pass " + Pass}, ExitUsage);
+	}
+	const auto [X, Y, Z] = Thread;
+	if (bCompute && !Request.bThread && Stored.empty())
+	{
+		Outside.push_back(
+			Pass + (Shader.RWTextures.empty() ? ": stores to no texture; --thread X,Y,Z takes the id of a thread"
+											  : ": no thread of it stores there"));
+		return;
+	}
 	if (X < Whole.MinX || Y < Whole.MinY || Z < Whole.MinZ || X >= Whole.MaxX || Y >= Whole.MaxY || Z >= Whole.MaxZ)
 	{
 		Outside.push_back(Pass + ": from (" + std::to_string(Whole.MinX) + ", " + std::to_string(Whole.MinY) +
@@ -66,12 +94,13 @@ void FTraceCapture::BeforeDispatch(const FBoundShader& Shader, const FKernelArgs
 		return;
 	}
 	bTracing = true;
-	const std::shared_ptr<FInspectedShader> Inspected = Shaders.Get(Shader);
 	FCapturedTrace& Trace = Traces.emplace_back();
 	Trace.Pass = Pass;
 	Trace.Shader = Shader.Name;
 	Trace.Entry = Shader.EntryPoint;
 	Trace.Inspected = Inspected;
+	Trace.Thread = Thread;
+	Trace.Stored = Stored;
 	for (const bool bDouble : {false, true})
 	{
 		const FSandbox Sandbox(Args, Shader.GetReflection());
@@ -106,8 +135,9 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 	std::string Message;
 	if (!Outside.empty())
 	{
-		Message = "pixel " + std::to_string(Request.At[0]) + "," + std::to_string(Request.At[1]) +
-				  " is outside of what the pass draws";
+		Message = (Request.bThread ? "thread " : "pixel ") + std::to_string(Request.At[0]) + "," +
+				  std::to_string(Request.At[1]) + " is outside of what the pass " +
+				  (Request.bThread ? "runs" : "draws");
 		for (const std::string& Name : Outside)
 		{
 			Message += (&Name == &Outside.front() ? ": " : "; ") + Name;
@@ -127,7 +157,7 @@ const std::vector<FCapturedTrace>& FTraceCapture::GetTraces() const
 			Message += (Name == *Names.begin() ? ": " : ", ") + Name;
 		}
 	}
-	throw BadArgument(Message, Outside.empty() ? "--pass" : "--pixel");
+	throw BadArgument(Message, Outside.empty() ? "--pass" : Request.bThread ? "--thread" : "--pixel");
 }
 
 std::optional<FTraceDifference> FindDifference(const FPixelTrace& Float, const FPixelTrace& Double, double Bound)

@@ -15,7 +15,8 @@ namespace Drydock
 struct FTraceRequest
 {
 	std::string Pass;            // pattern with * and ?, of a pass's name or its shader's
-	std::array<int32_t, 3> At{}; // pixel of the render target, or dispatch id
+	std::array<int32_t, 3> At{}; // texel that the pass writes; z of a volume or an array
+	bool bThread = false;        // At is the dispatch id of a compute thread
 	double Bound = 1e-3;         // by which float and double part: of the larger, or of 1
 	uint64_t MaxSteps = 1'000'000'000;
 };
@@ -36,6 +37,8 @@ struct FCapturedTrace
 	std::string Pass;
 	std::string Shader;
 	std::string Entry;
+	std::array<int32_t, 3> Thread{};
+	std::string Stored; // compute: the texture whose texel the thread was asked by; empty: by its id
 	std::shared_ptr<const FInspectedShader> Inspected; // names of types and lines of text
 	FPixelTrace Float;
 	FPixelTrace Double;

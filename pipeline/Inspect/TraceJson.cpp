@@ -29,6 +29,10 @@ void WriteEvent(FJsonWriter& Writer, const FSpirvModule& Module, const FTraceEve
 		Writer.Members({{"coordinates", Event.Coordinates}, {"level", Event.Level}});
 	}
 	Writer.MemberIfAny("texel", Event.Texel);
+	if (Event.WriterLine)
+	{
+		Writer.Members({{"writer", Event.Writer}, {"writerLine", Event.WriterLine}});
+	}
 	if (!Event.Texels.empty())
 	{
 		Writer.Key("texels").BeginArray(true);
@@ -45,9 +49,10 @@ void WriteEvent(FJsonWriter& Writer, const FSpirvModule& Module, const FTraceEve
 void WriteTrace(FJsonWriter& Writer, const FCapturedTrace& Trace)
 {
 	Writer.BeginObject();
-	Writer.Members({{"pass", Trace.Pass}, {"shader", Trace.Shader}, {"entry", Trace.Entry},
-		{"variables", Trace.Inspected->HasVariables()}, {"discarded", Trace.Float.bDiscarded},
-		{"taps", Trace.Float.Taps}, {"instructions", Trace.Float.Steps}, {"cut", Trace.Float.bCut}});
+	Writer.Members({{"pass", Trace.Pass}, {"shader", Trace.Shader}, {"entry", Trace.Entry}, {"thread", Trace.Thread},
+		{"storedTo", Trace.Stored}, {"variables", Trace.Inspected->HasVariables()},
+		{"discarded", Trace.Float.bDiscarded}, {"taps", Trace.Float.Taps}, {"instructions", Trace.Float.Steps},
+		{"cut", Trace.Float.bCut}});
 	for (const auto& [Key, Targets] :
 		{std::pair("targets", &Trace.Float.Targets), {"targetsDouble", &Trace.Double.Targets}})
 	{

@@ -88,7 +88,14 @@ std::string DescribeEvent(const FSpirvModule& Module, const FTraceEvent& Event)
 	case ETraceEvent::Store:
 	{
 		std::string At = JoinText(Event.Texel, ", ", [&](const int64_t Index) { return std::to_string(Index); });
-		return fmt::format("{} {}[{}] = {}", Event.Kind == ETraceEvent::Load ? "load" : "store", Event.Name, At, Value);
+		const std::string Put =
+			Event.WriterLine
+				? fmt::format("   [put there by thread {},{}{} in line {}]", Event.Writer[0], Event.Writer[1],
+					  Event.Writer[2] ? fmt::format(",{}", Event.Writer[2]) : "", Event.WriterLine)
+			: Event.bShared ? std::string("   [which no thread wrote]")
+							: std::string();
+		return fmt::format("{} {}{} = {}{}", Event.Kind == ETraceEvent::Load ? "load" : "store", Event.Name,
+			At.empty() ? At : "[" + At + "]", Value, Put);
 	}
 	case ETraceEvent::Branch:
 		return "branch: " + Value;
@@ -114,9 +121,11 @@ std::string FormatTraceValue(const FSpirvModule& Module, const FTraceValue& Valu
 std::string MakeTraceText(const FCapturedTrace& Trace, const FTraceRequest& Request)
 {
 	const FSpirvModule& Module = Trace.Inspected->GetModule();
-	std::string Text = fmt::format("pass {} ({}, {}), {} {},{}{}\n", Trace.Pass, Trace.Shader, Trace.Entry,
-		Trace.Written.empty() ? "thread" : "pixel", Request.At[0], Request.At[1],
-		Request.At[2] ? fmt::format(",{}", Request.At[2]) : "");
+	std::string Text = fmt::format("pass {} ({}, {}), {} {},{}{}{}\n", Trace.Pass, Trace.Shader, Trace.Entry,
+		Trace.Written.empty() ? "thread" : "pixel", Trace.Thread[0], Trace.Thread[1],
+		Trace.Thread[2] ? fmt::format(",{}", Trace.Thread[2]) : "",
+		Trace.Stored.empty() ? ""
+							 : fmt::format(", which stored to {} {},{}", Trace.Stored, Request.At[0], Request.At[1]));
 	if (!Trace.Inspected->HasVariables())
 	{
 		Text += "(the shader keeps textures in structs or arrays: its calls are inlined and its variables are gone)\n";

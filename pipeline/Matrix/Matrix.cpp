@@ -4,18 +4,21 @@
 #include "ChildProcess.h"
 #include "Config/ReadConfig.h"
 #include "Diagnostics.h"
-#include "Matrix/MatrixBuildLog.h"
 #include "Matrix/MatrixCompare.h"
 #include "Matrix/MatrixErrors.h"
 #include "Matrix/MatrixRunReport.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
+#include "Patch/BuildLog.h"
 #include "Patch/PatchTemplate.h"
+#include "Patch/EngineApi.h"
 #include "Patch/PluginBuild.h"
 #include "Patch/PluginBuildErrors.h"
+#include "RangeTools.h"
 #include "Picture/ContactSheet.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
+#include "RangeTools.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
@@ -96,18 +99,6 @@ void RequireCompiler(const std::string& Compiler)
 		"there is no C++ compiler in PATH: c++, g++ and clang++ were looked for; --compiler names another");
 }
 
-std::string FindStockConfig()
-{
-	const Files::path Config = Files::path(FindTemplates()) / "matrix.json";
-	std::error_code Error;
-	if (!Files::is_regular_file(Config, Error))
-	{
-		Fail(ErrorMatrixFrame, ExitFiles, Config.string(),
-			"drydock's own frame is missing: is it installed completely? A config behind PLUGIN_DIR does as well");
-	}
-	return Config.string();
-}
-
 /** Reports a config that cannot be read before minutes of building. */
 void RequireConfig(const std::string& Config)
 {
@@ -116,18 +107,6 @@ void RequireConfig(const std::string& Config)
 	{
 		throw FError(Document.Diagnostics, ExitUsage);
 	}
-}
-
-std::string FindThisProgram()
-{
-	std::error_code Error;
-	const Files::path Program = Files::read_symlink("/proc/self/exe", Error);
-	if (Error)
-	{
-		Fail(ErrorMatrixProgram, ExitFiles, "/proc/self/exe",
-			"drydock cannot find its own program, which it starts for each version: " + Error.message());
-	}
-	return Program.string();
 }
 
 /** Empty rows for all versions. */
@@ -169,17 +148,8 @@ std::string RememberSteps(const Files::path& BuildFolder)
 }
 
 /** A plugin that does not compile is a finding; what else is wrong is thrown. */
-FMatrixBuild BuildVersion(
-	const FMatrixRequest& Request, const FVersionMatrix& Matrix, const FMatrixRow& Row, int NumJobs)
+void BuildOnce(const FPluginBuild& Build, FMatrixBuild& Made)
 {
-	FMatrixBuild Made = Row.Build;
-	FPluginBuild Build;
-	Build.Folder = Matrix.Folder;
-	Build.BuildFolder = Matrix.OutputFolder + "/" + DescribeVersion(Row.Minor);
-	Build.EngineMinor = Row.Minor;
-	Build.Excludes = Request.Excludes;
-	Build.Compiler = Request.Compiler;
-	Build.NumJobs = NumJobs;
 	try
 	{
 		const FBuiltPlugin Built = BuildPlugin(Build);
@@ -194,12 +164,45 @@ FMatrixBuild BuildVersion(
 		{
 			throw;
 		}
-		const std::vector<FMatrixMessage> Errors =
-			ReadCompilerMessages(First.Message, ECompilerMessage::Error, Matrix.Folder);
-		const std::string Whole = First.Message.substr(0, First.Message.find('\n'));
-		Made.FirstError = Errors.empty() ? FMatrixMessage{.Text = Whole} : Errors.front();
+		Made.FirstError = FMatrixMessage{.Text = First.Message.substr(0, First.Message.find('\n'))};
 	}
-	Made.Warnings = ReadCompilerMessages(RememberSteps(Build.BuildFolder), ECompilerMessage::Warning, Matrix.Folder);
+}
+
+FMatrixBuild BuildVersion(
+	const FMatrixRequest& Request, const FVersionMatrix& Matrix, const FMatrixRow& Row, int NumJobs)
+{
+	FMatrixBuild Made = Row.Build;
+	FPluginBuild Build;
+	Build.Folder = Matrix.Folder;
+	Build.BuildFolder = Matrix.OutputFolder + "/" + DescribeVersion(Row.Minor);
+	Build.EngineMinor = Row.Minor;
+	Build.EngineNames = 2;
+	Build.Excludes = Request.Excludes;
+	Build.Compiler = Request.Compiler;
+	Build.NumJobs = NumJobs;
+	BuildOnce(Build, Made);
+	const std::string Log = TryReadTextFile(Build.BuildFolder + "/build.log").value_or("");
+	Made.InEngine = FindVersionMessages(Log);
+	std::erase_if(Made.Notes, [&Made](const std::string& Note) { return Contains(Made.InEngine, Note); });
+	if (!Made.bBuilt && !Made.InEngine.empty())
+	{
+		// The picture with these names is of interest all the same.
+		Build.EngineNames = 1;
+		Made.FirstError.reset();
+		BuildOnce(Build, Made);
+	}
+	const std::string Steps = RememberSteps(Build.BuildFolder);
+	const auto Convert = [](const FCompilerMessage& Message)
+	{
+		return FMatrixMessage{.File = Message.File, .Line = Message.Line, .Text = Message.Text};
+	};
+	const std::vector<FCompilerMessage> Errors = ReadCompilerMessages(Steps, ECompilerMessage::Error, Matrix.Folder);
+	if (!Made.bBuilt && !Errors.empty())
+	{
+		Made.FirstError = Convert(Errors.front());
+	}
+	Made.Warnings =
+		ToVector<FMatrixMessage>(ReadCompilerMessages(Steps, ECompilerMessage::Warning, Matrix.Folder), Convert);
 	return Made;
 }
 
@@ -358,6 +361,30 @@ void WriteSheet(const FVersionMatrix& Matrix, const std::string& File)
 }
 
 } // namespace
+
+std::string FindStockConfig()
+{
+	const Files::path Config = Files::path(FindTemplates()) / "matrix.json";
+	std::error_code Error;
+	if (!Files::is_regular_file(Config, Error))
+	{
+		Fail(ErrorMatrixFrame, ExitFiles, Config.string(),
+			"drydock's own frame is missing: is it installed completely? A config behind PLUGIN_DIR does as well");
+	}
+	return Config.string();
+}
+
+std::string FindThisProgram()
+{
+	std::error_code Error;
+	const Files::path Program = Files::read_symlink("/proc/self/exe", Error);
+	if (Error)
+	{
+		Fail(ErrorMatrixProgram, ExitFiles, "/proc/self/exe",
+			"drydock cannot find its own program, which it starts for each version: " + Error.message());
+	}
+	return Program.string();
+}
 
 std::vector<std::string> MakeRunArguments(
 	const std::string& Program, const FVersionMatrix& Matrix, const FMatrixRow& Row)

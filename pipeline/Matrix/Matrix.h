@@ -33,6 +33,12 @@ struct FMatrixRequest
  * be read or written. */
 DRYDOCK_API FVersionMatrix RunMatrix(const FMatrixRequest& Request);
 
+/** The config of drydock's own small frame. Throws FError (exit code 3) where it is not installed. */
+DRYDOCK_API std::string FindStockConfig();
+
+/** Path of the running program, to start it once more. Throws FError (exit code 3) where the system does not tell. */
+DRYDOCK_API std::string FindThisProgram();
+
 /** The arguments of `drydock run` for one version. */
 DRYDOCK_API std::vector<std::string> MakeRunArguments(
 	const std::string& Program, const FVersionMatrix& Matrix, const FMatrixRow& Row);

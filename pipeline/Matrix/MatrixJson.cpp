@@ -91,6 +91,7 @@ void WriteRow(FJsonWriter& Writer, const FMatrixRow& Row)
 	Writer.Members({{"engine", DescribeVersion(Row.Minor)}, {"builds", Row.Build.bBuilt}});
 	WriteFirstError(Writer, Row.Build.FirstError);
 	WriteMessages(Writer, "compilerWarnings", Row.Build.Warnings);
+	WriteTexts(Writer, "inEngine", Row.Build.InEngine);
 	WriteTexts(Writer, "notes", Row.Build.Notes);
 	Writer.Members({{"library", Row.Build.Library}, {"log", Row.Build.Log}});
 	WriteRun(Writer, Row.Run);

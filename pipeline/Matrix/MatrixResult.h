@@ -28,6 +28,7 @@ struct FMatrixBuild
 	bool bBuilt = false;
 	std::optional<FMatrixMessage> FirstError; // of a plugin that does not compile
 	std::vector<FMatrixMessage> Warnings;     // of the compiler, each once
+	std::vector<std::string> InEngine;        // names that the version lacks or deprecates; see FindVersionMessages
 	std::vector<std::string> Notes;           // what was left out and why
 	std::string Library;                      // path of the shared object
 	std::string Log;                          // path of all that cmake and the compiler said

@@ -1,7 +1,7 @@
 // Reads messages as FDiagnostic writes them, and run.json.
 #include "Matrix/MatrixRunReport.h"
 
-#include "Matrix/MatrixLines.h"
+#include "Patch/LogLines.h"
 #include "RangeTools.h"
 #include "Text/Json.h"
 #include "TextTools.h"
@@ -96,9 +96,12 @@ FMatrixRun ReadMatrixRun(int ExitCode, const std::string& Output, const std::str
 	const FJsonValue Root = ParseJson(RunJson, "run.json", Ignored, bSyntaxError);
 	for (const FJsonValue& Warning : Root.GetElements("warnings"))
 	{
-		Run.Warnings.push_back({.Code = ParseCode(Warning.GetString("code")),
-			.Where = Warning.GetString("where"),
-			.Text = Warning.GetString("message")});
+		if (Warning.GetString("severity") != "note")
+		{
+			Run.Warnings.push_back({.Code = ParseCode(Warning.GetString("code")),
+				.Where = Warning.GetString("where"),
+				.Text = Warning.GetString("message")});
+		}
 	}
 	for (const FJsonValue& Call : Root.GetElements("extensionCalls"))
 	{

@@ -8,6 +8,8 @@
 #include "Text/TextTable.h"
 #include "TextTools.h"
 
+#include <regex>
+
 namespace Drydock
 {
 
@@ -26,6 +28,25 @@ std::string FormatPlace(const FMatrixMessage& Message)
 std::string FormatBuild(const FMatrixBuild& Build)
 {
 	return Build.bBuilt ? "yes" : FormatPlace(Build.FirstError.value_or(FMatrixMessage()));
+}
+
+/** "yes", "deprecated: NAME", "uncertain: NAME" or "no: NAME", of the first name; what lacks goes before the others. */
+std::string FormatInEngine(const FMatrixBuild& Build)
+{
+	std::string Text = Build.bBuilt ? "yes" : Nothing;
+	for (const std::string& Message : Build.InEngine)
+	{
+		static const std::regex Parts(" (does not have|deprecates) (.*?)(?:, which|: use)");
+		std::smatch Match;
+		std::regex_search(Message, Match, Parts);
+		const bool bLacks = Match[1] == "does not have";
+		if (bLacks && !Message.ends_with("(uncertain)"))
+		{
+			return "no: " + Match[2].str();
+		}
+		Text = &Message == &Build.InEngine[0] ? (bLacks ? "uncertain: " : "deprecated: ") + Match[2].str() : Text;
+	}
+	return Text;
 }
 
 std::string FormatCompilerWarnings(const FMatrixBuild& Build)
@@ -77,7 +98,8 @@ std::string FormatPicture(const FMatrixPicture& Picture)
 
 std::vector<std::string> FormatRow(const FMatrixRow& Row)
 {
-	return {DescribeVersion(Row.Minor), FormatBuild(Row.Build), FormatCompilerWarnings(Row.Build),
+	return {DescribeVersion(Row.Minor), FormatBuild(Row.Build), FormatInEngine(Row.Build),
+		FormatCompilerWarnings(Row.Build),
 		!Row.Run         ? Nothing
 		: Row.Run->Ran() ? "yes"
 						 : DescribeEnd(*Row.Run),
@@ -86,9 +108,8 @@ std::vector<std::string> FormatRow(const FMatrixRow& Row)
 }
 
 /** A message without the name of the version that it was said under, so that it is one message under all of them. */
-std::string DescribeMessageOf(const FMatrixMessage& Message, int Minor)
+std::string RemoveVersion(std::string Text, int Minor)
 {
-	std::string Text = DescribeMessage(Message);
 	const std::string Named = "engine " + DescribeVersion(Minor);
 	for (size_t At = Text.find(Named); At != std::string::npos; At = Text.find(Named, At))
 	{
@@ -107,6 +128,10 @@ FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 		{
 			Texts.Add(Note, Row.Minor);
 		}
+		for (const std::string& Message : Row.Build.InEngine)
+		{
+			Texts.Add(RemoveVersion(Message, Row.Minor), Row.Minor);
+		}
 		if (Row.Build.FirstError)
 		{
 			Texts.Add(DescribeMessage(*Row.Build.FirstError), Row.Minor);
@@ -124,7 +149,7 @@ FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 		}
 		for (const FMatrixMessage& Warning : Row.Run ? Row.Run->Warnings : std::vector<FMatrixMessage>())
 		{
-			Texts.Add(DescribeMessageOf(Warning, Row.Minor), Row.Minor);
+			Texts.Add(RemoveVersion(DescribeMessage(Warning), Row.Minor), Row.Minor);
 		}
 	}
 	return Texts;
@@ -136,7 +161,7 @@ std::string FormatMatrix(const FVersionMatrix& Matrix, int Width)
 {
 	std::vector<int> Minors;
 	std::vector<std::vector<std::string>> Rows = {
-		{"engine", "builds", "compiler", "runs", "warnings", "picture", "first difference"}};
+		{"engine", "builds", "in the engine", "compiler", "runs", "warnings", "picture", "first difference"}};
 	for (const FMatrixRow& Row : Matrix.Rows)
 	{
 		Minors.push_back(Row.Minor);
@@ -168,7 +193,8 @@ std::vector<FJUnitCase> MakeMatrixCases(const FVersionMatrix& Matrix)
 			.Outcome = !bAsked  ? EJUnitOutcome::Skipped
 					   : bHolds ? EJUnitOutcome::Passed
 								: EJUnitOutcome::Failed,
-			.Message = bAsked && bHolds ? "" : Message});
+			.Message = bAsked && bHolds ? "" : Message,
+			.Rule = "version"});
 	};
 	const auto Describe = [](const std::optional<FMatrixMessage>& Error, const std::string& Otherwise)
 	{

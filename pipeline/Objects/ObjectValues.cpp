@@ -3,11 +3,12 @@
 
 #include "CodeScope.h"
 #include "Config/ConfigReader.h"
-#include "Engine/World.h"
+#include "GameFramework/Actor.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Interfaces/IPluginManager.h"
 #include "Objects/IniText.h"
 #include "Objects/ObjectErrors.h"
+#include "Objects/ObjectPictures.h"
 #include "Objects/PropertyText.h"
 #include "RangeTools.h"
 #include "RegularFile.h"
@@ -88,6 +89,74 @@ const FJsonValue& FindAt(const FJsonValue& Value, const std::string& Path)
 		return FindAt(Value.Elements.at(std::stoul(Step)), Path.substr(End));
 	}
 	return Value;
+}
+
+const std::string CallKey = "call"; // of an object's entry
+
+/** An item of "call": "Start", or {"SetTint": [1, "Soft"]}. */
+struct FCalled
+{
+	std::string Function; // empty: it is neither
+	std::vector<FPropertyValue> Arguments = {};
+	const FJsonValue* Place = nullptr; // of the arguments, or of the item
+};
+
+FCalled ReadCall(const FJsonValue& Item)
+{
+	if (Item.Type == EJsonType::String)
+	{
+		return {Item.String, {}, &Item};
+	}
+	if (Item.Type != EJsonType::Object || Item.Members.size() != 1 || Item.Members[0].Value.Type != EJsonType::Array)
+	{
+		return {"", {}, &Item};
+	}
+	const FJsonMember& Member = Item.Members[0];
+	return {Member.Key, ToVector<FPropertyValue>(Member.Value.Elements, MakeValue), &Member.Value};
+}
+
+/** Reports what cannot be called. */
+void CheckCalls(const FReflectedStruct& Class, const FJsonValue& Calls, FConfigMessages& Messages)
+{
+	if (Calls.Type != EJsonType::Array)
+	{
+		Messages.Error(ErrorPropertyValue, Calls, "expected a list of calls: [\"Start\", {\"SetTint\": [1, 0.5]}]");
+	}
+	for (const FJsonValue& Item : Calls.Elements)
+	{
+		const FCalled Called = ReadCall(Item);
+		FPropertyProblem Problem;
+		if (Called.Function.empty())
+		{
+			Messages.Error(ErrorPropertyValue, Item,
+				"expected a function's name, or an object with one name and the list of its arguments: {\"SetTint\": "
+				"[1, 0.5]}");
+		}
+		else if (!ContainsInvalid(Item) &&
+				 !FReflection::Get().Call(Class, Called.Function, Called.Arguments, nullptr, Problem))
+		{
+			const bool bUnknown = Problem.Kind == FPropertyProblem::EKind::UnknownProperty;
+			const bool bNotGiven = Problem.Kind == FPropertyProblem::EKind::NotGiven;
+			Messages.Error(bUnknown    ? ErrorUnknownProperty
+						   : bNotGiven ? ErrorPropertyNotGiven
+									   : ErrorPropertyValue,
+				FindAt(*Called.Place, Problem.Path), Problem.Message);
+		}
+	}
+}
+
+/** The actor of that class in the world, else its subsystem or its default object. */
+UObject* FindCalledObject(const FReflectedStruct& Class)
+{
+	for (const std::shared_ptr<AActor>& Actor : GWorld->GetActors())
+	{
+		const AActor& Each = *Actor;
+		if (typeid(Each) == *Class.Type)
+		{
+			return Actor.get();
+		}
+	}
+	return FReflection::Get().FindObject(Class);
 }
 
 /** Names of a plugin that its classes may stand under, and its folders. */
@@ -343,8 +412,16 @@ void FObjectValues::GiveObjects(const std::string& Library)
 			for (const FJsonMember& Member : Object.Value.Members)
 			{
 				FPropertyProblem Problem;
+				if (Member.Key == CallKey)
+				{
+					CheckCalls(*Class, Member.Value, Messages);
+					continue;
+				}
+				FPropertyValue Value = MakeValue(Member.Value);
+				const FFoundProperty Found = FReflection::Get().FindProperty(*Class, Member.Key, false);
 				if (ContainsInvalid(Member.Value) ||
-					FReflection::Get().Give(*Class, Member.Key, MakeValue(Member.Value), Problem))
+					((Found.Property == nullptr || LoadPictures(Config, *Found.Property->Type, Value, Problem)) &&
+						FReflection::Get().Give(*Class, Member.Key, Value, Problem)))
 				{
 					continue;
 				}
@@ -366,13 +443,35 @@ void FObjectValues::GiveObjects(const std::string& Library)
 
 void FObjectValues::PlaceActors(const std::string& Library) const
 {
+	std::vector<std::pair<const FReflectedStruct*, const FJsonValue*>> Named;
 	for (const FReflectedStruct* const Class : FReflection::Get().FindClasses(Library))
 	{
-		const bool bNamed = std::ranges::any_of(Config.Objects.Members,
-			[Class](const FJsonMember& Object) { return IsNameOf(GetClassName(Object.Key), *Class); });
-		if (bNamed && Class->Place)
+		for (const FJsonMember& Object : Config.Objects.Members)
+		{
+			if (IsNameOf(GetClassName(Object.Key), *Class))
+			{
+				Named.emplace_back(Class, &Object.Value);
+			}
+		}
+	}
+	for (const auto& [Class, Value] : Named)
+	{
+		if (Class->Place)
 		{
 			CallCode(FCodeOwner{Library, "BeginPlay of " + std::string(Class->Name)}, Class->Place);
+		}
+	}
+	for (const auto& [Class, Value] : Named)
+	{
+		const FJsonValue* const Calls = Value->Find(CallKey);
+		for (const FJsonValue& Call : Calls != nullptr ? Calls->Elements : std::vector<FJsonValue>())
+		{
+			const FCalled Called = ReadCall(Call);
+			FPropertyProblem Told; // by CheckCalls
+			if (UObject* const Object = FindCalledObject(*Class))
+			{
+				FReflection::Get().Call(*Class, Called.Function, Called.Arguments, Object, Told);
+			}
 		}
 	}
 }

@@ -39,8 +39,9 @@ public:
 	 * an ini file a warning. */
 	void GiveTo(const std::string& Library);
 
-	/** Places in the world, with their values, those of the plugin's classes that "objects" names and that are actors.
-	 * Called once the plugin's modules have started. A class that the plugin has spawned itself is left out. */
+	/** Places in the world, with their values, those of the plugin's classes that "objects" names and that are actors;
+	 * then makes the calls of "objects". Called once the plugin's modules have started. A class that the plugin has
+	 * spawned itself is not placed. */
 	void PlaceActors(const std::string& Library) const;
 
 	/** Called once all plugins are loaded: names of "objects" that none of them has are errors. bAllLoaded: no plugin

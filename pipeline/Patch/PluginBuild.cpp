@@ -4,9 +4,12 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/EngineApi.h"
+#include "Patch/MissingNames.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
 #include "Patch/PluginBuildErrors.h"
+#include "RangeTools.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
@@ -146,47 +149,56 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
 }
 
-/** The end of a message: replacements for the engine's names that the errors miss and drydock does not have. */
-std::string AdviseOnMissingNames(const std::vector<std::string>& Errors)
+/** Lines about replacements for the engine's names that drydock does not have. */
+std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others)
 {
 	std::string Advice;
 	for (const char* const Name : {"RegisterPostOpaqueRenderDelegate", "RegisterOverlayRenderDelegate"})
 	{
-		const bool bMissed = std::any_of(Errors.begin(), Errors.end(),
-			[Name](const std::string& Line)
-			{ return Line.find("no member") != std::string::npos && Line.find(Name) != std::string::npos; });
-		if (bMissed)
+		if (std::ranges::any_of(Missing, [Name](const FMissingName& Item) { return Item.Name.ends_with(Name); }))
 		{
-			Advice += "\n  drydock does not have " + std::string(Name) +
-					  ": add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)";
+			Advice += "  drydock does not have " + std::string(Name) +
+					  ": add the pass in PrePostProcessPass_RenderThread of a view extension "
+					  "(FSceneViewExtensionBase)\n";
 		}
 	}
-	return Advice;
+	const bool bGraphTexture = std::ranges::any_of(Others,
+		[](const FCompilerMessage& Error) {
+			return Error.Text.find("FRDGTexture") != std::string::npos &&
+				   Error.Text.find("FRHITexture") != std::string::npos;
+		});
+	return Advice + (bGraphTexture ? "  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
+									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)\n"
+								   : "");
 }
 
-/** The errors among the output of the compiler and the linker. */
-std::string TakeErrors(const std::string& Output, const std::string& LogFile)
+/** The end of a message: missing names as a table, other errors, what was left out. */
+std::string DescribeErrors(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others,
+	const std::vector<std::string>& Notes)
 {
-	std::string Errors;
-	size_t Count = 0;
-	std::vector<std::string> Said;
-	for (const std::string& Line : SplitText(Output))
+	const bool bOne = Missing.size() == 1;
+	std::string Text = "does not compile:";
+	if (!Missing.empty())
 	{
-		const bool bError = Line.find("error:") != std::string::npos ||
-							Line.find("undefined reference") != std::string::npos ||
-							Line.find("multiple definition") != std::string::npos;
-		if (bError && std::find(Said.begin(), Said.end(), Line) == Said.end())
-		{
-			Said.push_back(Line);
-			Errors += ++Count <= MostErrorLines ? "\n  " + Line : std::string();
-		}
+		Text += " " + std::to_string(Missing.size()) + (bOne ? " name is" : " names are") + " missing here\n" +
+				FormatMissingNames(Missing, "  ") +
+				(Others.empty() ? "" : "  other errors, which may follow from these:\n");
 	}
-	const std::string More =
-		Count > MostErrorLines ? "\n  and " + std::to_string(Count - MostErrorLines) + " more" : std::string();
-	// g++ names a base class that is a template in the source line that it quotes, not in the error.
-	const std::string Graph = AdviseOnCompositionGraph(Output);
-	return Errors + More + AdviseOnMissingNames(Said) + (Graph.empty() ? "" : "\n  " + Graph) +
-		   "\n  full log: " + LogFile;
+	Text += Missing.empty() ? "\n" : "";
+	for (size_t Index = 0; Index < std::min(Others.size(), MostErrorLines); ++Index)
+	{
+		const FCompilerMessage& Other = Others[Index];
+		Text += "  " + Other.File + (Other.Line > 0 ? ":" + std::to_string(Other.Line) : "") + ": " + Other.Text + "\n";
+	}
+	if (Others.size() > MostErrorLines)
+	{
+		Text += "  and " + std::to_string(Others.size() - MostErrorLines) + " more\n";
+	}
+	for (const std::string& Note : Notes)
+	{
+		Text += Note.starts_with("left out") ? "  " + Note + "\n" : "";
+	}
+	return Text;
 }
 
 /** CMake's own message, without its decoration. */
@@ -214,10 +226,37 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 	return (Text.empty() ? "cmake failed" : Text) + "\n  full log: " + LogFile;
 }
 
+/** Log: of the sources one by one, JoinedLog: as one file, where a name does not lack that another source includes;
+ * empty: not tried. */
+[[noreturn]] void FailToCompile(const FPluginBuild& Build, const std::vector<std::string>& Notes,
+	const std::string& Log, const std::string& JoinedLog)
+{
+	const std::string LogFile = Build.BuildFolder + "/build.log";
+	WriteTextFile(LogFile, Log);
+	std::vector<FCompilerMessage> Others;
+	std::vector<FCompilerMessage> Ignored;
+	const auto Find = [&](const std::string& Text, std::vector<FCompilerMessage>& OutOthers)
+	{
+		return FindMissingNames(ReadCompilerMessages(Text, ECompilerMessage::Error, Build.Folder), Notes, OutOthers);
+	};
+	std::vector<FMissingName> Missing = Find(Log, Others);
+	const std::vector<FMissingName> JoinedMissing = Find(JoinedLog, Ignored);
+	if (!JoinedMissing.empty())
+	{
+		std::erase_if(Missing,
+			[&](const FMissingName& Name) { return !Contains(JoinedMissing, Name.Name, &FMissingName::Name); });
+	}
+	// g++ names a base class that is a template in the source line that it quotes, not in the error.
+	const std::string Graph = AdviseOnCompositionGraph(Log);
+	Fail(ErrorPluginNotCompiled, Build.Folder,
+		DescribeErrors(Missing, Others, Notes) + AdviseOnMissingNames(Missing, Others) +
+			(Graph.empty() ? "" : "  " + Graph + "\n") + "  full log: " + LogFile);
+}
+
 struct FAttempt
 {
 	bool bCompiled = false;
-	std::string Errors; // what the compiler said, as the end of a message
+	std::string Log; // of cmake and the compiler
 };
 
 /** The file's text; nothing where the file does not exist. Throws FError where the text lacks drydock's mark. */
@@ -281,9 +320,18 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 	{
 		Compile.push_back(std::to_string(Build.NumJobs));
 	}
+	// All sources are compiled, although one of them does not: one message tells all that is wrong.
+	Compile.insert(Compile.end(), {"--", "-k"});
+	if (Files::exists(Build.BuildFolder + "/cmake/build.ninja"))
+	{
+		Compile.push_back("0");
+	}
 	const std::string Compiled = RunTool(Compile, Build.TimeLimitSeconds, bSucceeded);
-	WriteTextFile(LogFile, LogMark + Configured + Compiled);
-	return {bSucceeded, bSucceeded ? std::string() : TakeErrors(Compiled, LogFile)};
+	const std::string Log = LogMark + Configured + Compiled;
+	WriteTextFile(LogFile, Log);
+	const std::vector<std::string> Versions = FindVersionMessages(Compiled);
+	OutNotes.insert(OutNotes.end(), Versions.begin(), Versions.end());
+	return {bSucceeded, Log};
 }
 
 } // namespace
@@ -348,7 +396,8 @@ std::string MakePluginProject(const FPluginBuild& Build, const std::string& Pack
 		   Build.Name + "\n\tFOLDER " + Quote(Build.Folder) + Rest +
 		   ")\n"
 		   "target_compile_definitions(" +
-		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) + Definitions + ")\n" +
+		   Build.Name + " PUBLIC ENGINE_MINOR_VERSION=" + std::to_string(Build.EngineMinor) +
+		   " DRYDOCK_ENGINE_NAMES=" + std::to_string(Build.EngineNames) + Definitions + ")\n" +
 		   (Includes.empty() ? std::string()
 							 : "target_include_directories(" + Build.Name + " BEFORE PRIVATE" + Includes + ")\n");
 }
@@ -415,16 +464,17 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	Built.Name = Build.Name;
 	Built.EngineMinor = Build.EngineMinor;
 	const FAttempt First = Attempt(Build, Package, Built.Notes);
+	FAttempt Joined;
 	if (!First.bCompiled && !Build.bUnity)
 	{
 		// The engine's build puts a module's sources into one file, and published ones are used to it.
 		Build.bUnity = true;
 		std::vector<std::string> Notes;
-		Build.bUnity = Attempt(Build, Package, Notes).bCompiled;
+		Joined = Attempt(Build, Package, Notes);
 	}
-	if (!First.bCompiled && !Build.bUnity)
+	if (!First.bCompiled && !Joined.bCompiled)
 	{
-		Fail(ErrorPluginNotCompiled, Build.Folder, "does not compile:" + First.Errors);
+		FailToCompile(Build, Built.Notes, First.Log, Joined.Log);
 	}
 	if (!First.bCompiled)
 	{

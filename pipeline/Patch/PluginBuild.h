@@ -16,6 +16,7 @@ struct FPluginBuild
 	std::string Name;                  // of the library; empty: the .uplugin's, else the folder's
 	std::string BuildFolder;           // empty: build/NAME, below the working folder
 	int EngineMinor = 0;               // 5.x that it is compiled for; 0: what the .uplugin or .uproject names, else 4
+	int EngineNames = 0;               // what names of other versions are: DRYDOCK_ENGINE_NAMES (Misc/EngineApi.h)
 	std::vector<std::string> Excludes; // EXCLUDE of drydock_add_plugin
 	// The code of an overlay. Sources: what is compiled, absolute; empty: what a plugin's folder has.
 	std::vector<std::string> Sources;

@@ -13,6 +13,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
@@ -27,6 +28,13 @@ namespace
 /** By measurement (docs/performance.md): PIZ is smaller than ZIP on half floats, and faster; on 32-bit floats ZIP is,
  * and its lower levels take half the time of its usual one for a tenth more. */
 constexpr int ZipLevel = 2;
+
+/** ITU-R BT.2020: red, green, blue, white D65. */
+Imf::Chromaticities MakeRec2020()
+{
+	return Imf::Chromaticities(Imath::V2f(0.708f, 0.292f), Imath::V2f(0.170f, 0.797f), Imath::V2f(0.131f, 0.046f),
+		Imath::V2f(0.3127f, 0.3290f));
+}
 
 Imf::Header MakeHeader(const FExrDescription& Description)
 {
@@ -46,6 +54,11 @@ Imf::Header MakeHeader(const FExrDescription& Description)
 	}
 	for (const auto& [Name, Text] : Description.Attributes)
 	{
+		if (Name == ChromaticitiesName)
+		{
+			Imf::addChromaticities(Header, Text == "Rec.2020" ? MakeRec2020() : Imf::Chromaticities()); // else Rec.709
+			continue;
+		}
 		Header.insert(Name, Imf::StringAttribute(Text));
 	}
 	return Header;

@@ -10,6 +10,9 @@
 namespace Drydock
 {
 
+/** The attribute of OpenEXR for primaries and white, here by name: "Rec.709" or "Rec.2020". */
+constexpr const char* ChromaticitiesName = "chromaticities";
+
 /** The header of an EXR file. */
 struct FExrDescription
 {

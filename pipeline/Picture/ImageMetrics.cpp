@@ -2,6 +2,7 @@
 #include "Picture/ImageMetrics.h"
 
 #include "Math/ToInteger.h"
+#include "Picture/ImageFlip.h"
 #include "Text/ConfigErrors.h"
 #include "TileExecutor.h"
 
@@ -230,13 +231,14 @@ FImageError CompareImages(const FImage& A, const FImage& B, const FImageErrorOpt
 	Error.Rms = NumValues > 0.0 ? std::sqrt(Squares / NumValues) : 0.0;
 	Error.Relative = Squares == 0.0 ? 0.0 : std::sqrt(Squares / ReferenceSquares);
 	Error.Psnr = Error.Rms == 0.0 ? Infinity : 20.0 * std::log10(Error.Peak / Error.Rms);
-	Error.Ssim = Options.bSsim ? ComputeSsim(A, B, Options.Encoding) : 1.0;
+	Error.Ssim = Options.bPerceived ? ComputeSsim(A, B, Options.Encoding) : 1.0;
+	Error.Flip = Options.bPerceived && Error.Max > 0.0 ? GetMeanFlip(ComputeFlip(A, B, Options.Encoding)) : 0.0;
 	return Error;
 }
 
 const std::vector<std::string>& GetMetricNames()
 {
-	static const std::vector<std::string> Names = {"max", "rms", "relative", "psnr", "ssim"};
+	static const std::vector<std::string> Names = {"max", "rms", "relative", "psnr", "ssim", "flip"};
 	return Names;
 }
 
@@ -247,6 +249,7 @@ double GetMetric(const FImageError& Error, const std::string& Metric)
 		   : Metric == "relative" ? Error.Relative
 		   : Metric == "psnr"     ? Error.Psnr
 		   : Metric == "ssim"     ? Error.Ssim
+		   : Metric == "flip"     ? Error.Flip
 								  : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -267,6 +270,18 @@ void GetHeatColor(double Heat, double OutColor[3])
 	{
 		OutColor[Channel] = Stops[Index][Channel] + (Stops[Index + 1][Channel] - Stops[Index][Channel]) * Part;
 	}
+}
+
+FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding)
+{
+	FImage Map{A.Width, A.Height, 3, {}};
+	for (const double Value : ComputeFlip(A, B, Encoding))
+	{
+		double Color[3];
+		GetHeatColor(Value, Color);
+		Map.Values.insert(Map.Values.end(), Color, Color + 3);
+	}
+	return Map;
 }
 
 FImage MakeHeatMap(const FImage& A, const FImage& B, double Full, int NumChannels)

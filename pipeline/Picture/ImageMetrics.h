@@ -3,6 +3,7 @@
 // Visibility to Structural Similarity", IEEE Transactions on Image Processing 13(4), 2004.
 #pragma once
 
+#include "Picture/ImageEncoding.h"
 #include "Picture/ImageFile.h"
 
 #include <cstdint>
@@ -12,18 +13,11 @@
 namespace Drydock
 {
 
-/** The meaning of an image's numbers. */
-enum class EImageEncoding
-{
-	Display, // sRGB-encoded, 0..1
-	Linear,  // scene light, 0 and up
-};
-
 struct FImageErrorOptions
 {
 	EImageEncoding Encoding = EImageEncoding::Linear;
-	int NumChannels = 0; // the first ones only; 0: all
-	bool bSsim = true;   // the one figure that takes long; else it is 1
+	int NumChannels = 0;    // the first ones only; 0: all
+	bool bPerceived = true; // SSIM and FLIP, the figures that take long; else 1 and 0
 };
 
 struct FImageError
@@ -44,6 +38,8 @@ struct FImageError
 	double Psnr = 0.0;
 	/** 1 at most, 1 where nothing differs: see ComputeSsim. */
 	double Ssim = 1.0;
+	/** 0 to 1, 0 where nothing differs: the mean of ComputeFlip (ImageFlip.h). */
+	double Flip = 0.0;
 	/** The peak of PSNR: the reference's largest value, at least 1. */
 	double Peak = 1.0;
 	/** Values that are NaN or infinite in one image and something else in the other. Then Max, Rms and Relative are
@@ -54,7 +50,7 @@ struct FImageError
 /** A against the reference B, which have the same size and number of channels (checked). */
 DRYDOCK_API FImageError CompareImages(const FImage& A, const FImage& B, const FImageErrorOptions& Options = {});
 
-/** One figure of an error by name: max, rms, relative, psnr, ssim. An unknown name: NaN. */
+/** One figure of an error by name: max, rms, relative, psnr, ssim, flip. An unknown name: NaN. */
 DRYDOCK_API double GetMetric(const FImageError& Error, const std::string& Metric);
 DRYDOCK_API const std::vector<std::string>& GetMetricNames();
 /** psnr and ssim grow as images come closer. */
@@ -73,6 +69,9 @@ DRYDOCK_API double EncodeDisplay(double Linear);
  * and orange to pale yellow in even steps of the logarithm. Full is the error that is pale yellow, Full / 10^4 and
  * below is black; what is not finite in one image only is cyan. */
 DRYDOCK_API FImage MakeHeatMap(const FImage& A, const FImage& B, double Full, int NumChannels = 0);
+
+/** The map of ComputeFlip (ImageFlip.h) in the colours of the heat map: black 0, pale yellow 1. */
+DRYDOCK_API FImage MakeFlipMap(const FImage& A, const FImage& B, EImageEncoding Encoding);
 
 /** The colours of the heat map, 0..1 to RGB. */
 DRYDOCK_API void GetHeatColor(double Heat, double OutColor[3]);

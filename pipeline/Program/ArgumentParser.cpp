@@ -43,6 +43,18 @@ void SetLabels(CLI::App& Program)
 	Program.get_formatter()->column_width(28);
 }
 
+/** The examples of a verb, and of a verb that has only verbs under it those of these. */
+std::string ListExamples(const std::string& Verb)
+{
+	std::string Text;
+	for (const FVerbExample& Example : GetVerbExamples())
+	{
+		const bool bBelow = !Verb.empty() && std::string(Example.Verb).starts_with(Verb + " ");
+		Text += Example.Verb == Verb || bBelow ? "\n  " + Example.GetCommand() : "";
+	}
+	return "Examples:" + Text;
+}
+
 /** Adds the verb where its name says: "settings plan" under "settings", which has a lower place. */
 void AddVerb(CLI::App& Program, const FVerb& Verb, int& ExitCode)
 {
@@ -54,6 +66,7 @@ void AddVerb(CLI::App& Program, const FVerb& Verb, int& ExitCode)
 		Name = Name.substr(Space + 1);
 	}
 	CLI::App* const Added = Above->add_subcommand(Name, Verb.Doc);
+	Added->footer(ListExamples(Verb.Name));
 	FVerbOptions Options(Added);
 	if (const FVerbCall Call = Verb.AddOptions(Options))
 	{
@@ -273,7 +286,7 @@ FArgumentParser::FArgumentParser(const FProgramText& Text, const std::vector<FVe
 	Program->set_version_flag("--version", Text.Version);
 	Program->require_subcommand(1);
 	SetLabels(*Program);
-	Program->footer(Text.Footer);
+	Program->footer(Text.Footer + "\n\n" + ListExamples(""));
 	for (const FVerb& Verb : Verbs)
 	{
 		AddVerb(*Program, Verb, ExitCode);

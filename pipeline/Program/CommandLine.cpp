@@ -45,6 +45,16 @@ std::string ExplainMistake(
 		}
 		Chosen = FindVerb(Program, (Chosen->Name.empty() ? "" : Chosen->Name + " ") + Arguments[Level]);
 	}
+	for (size_t At = 0; At + 2 < Arguments.size(); ++At)
+	{
+		const FOptionModel* const Option = FindItem(Chosen->Options, Arguments[At], &FOptionModel::GetName);
+		if (Option != nullptr && Option->Type.ends_with("=VALUE") &&
+			Arguments[At + 1].find_first_of("=-") == std::string::npos)
+		{
+			return Arguments[At] + " takes " + Option->Type + " as one word: " + Arguments[At] + " " +
+				   Arguments[At + 1] + "=" + Arguments[At + 2];
+		}
+	}
 	auto Options = ToVector<std::string>(Chosen->Options, [&](const FOptionModel& Option) { return Option.GetName(); });
 	for (const std::string& Argument : Arguments)
 	{

@@ -51,8 +51,8 @@ EValue GetValue(const FVerbModel& Verb, const FOptionModel& Option)
 		return Found->second;
 	}
 	const bool bOfConfig = std::any_of(Verb.Options.begin(), Verb.Options.end(),
-		[](const FOptionModel& Other) { return Other.GetName() == "CONFIG" && Other.bRequired; });
-	return Option.Type == "PATTERN" && bOfConfig ? EValue::Pass : EValue::Nothing;
+		[](const FOptionModel& Other) { return Other.GetName() == "CONFIG"; });
+	return Option.Type == "PATTERN" && !Option.bPositional && bOfConfig ? EValue::Pass : EValue::Nothing;
 }
 
 std::vector<std::string> GetOptionNames(const FVerbModel& Verb)

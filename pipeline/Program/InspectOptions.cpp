@@ -38,6 +38,10 @@ void AddInspection(FVerbOptions& Verb, FInspectVerbOptions& Options, const FVerb
 		"Write the value that the line computes, or a variable there, as a picture of the whole frame; repeats"));
 	Group(Verb.AddFlag("--coverage", Options.bCoverage, "Count how many pixels ran each line"));
 	Group(Verb.AddFlag("--cost", Options.bCost, "Write taps and operations of each pixel as pictures"));
+	Group(Verb.AddFlag(
+		"--ranges", Options.bRanges, "Print the smallest and the largest value of every variable by line"));
+	Group(Verb.AddFlag("--check-all-threads", Options.bAllThreads,
+		"Let --check and --ranges look at every thread, not at a sample of each pass"));
 	const FVerbOption Print = Group(
 		Verb.AddFlag("--print", Options.bPrint, "Print the values that shaders pass to DrydockPrint and ShaderPrint"));
 	Group(Verb.Add("--at", Options.PrintAt, "Print only for this pixel").SplitAtCommas(2).SetType("X,Y").Need(Print));

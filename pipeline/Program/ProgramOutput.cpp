@@ -74,9 +74,26 @@ void WriteMessages(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnost
 	Writer.EndObject();
 }
 
+/** Messages of the innermost FScopedPrintedDiagnostics; null: nobody keeps messages. */
+static std::vector<FDiagnostic>* GPrintedDiagnostics = nullptr;
+
+FScopedPrintedDiagnostics::FScopedPrintedDiagnostics()
+	: Outer(std::exchange(GPrintedDiagnostics, &Printed))
+{
+}
+
+FScopedPrintedDiagnostics::~FScopedPrintedDiagnostics()
+{
+	GPrintedDiagnostics = Outer;
+}
+
 void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics)
 {
 	const bool bColorful = IsColorful(STDERR_FILENO);
+	if (GPrintedDiagnostics != nullptr)
+	{
+		GPrintedDiagnostics->insert(GPrintedDiagnostics->end(), Diagnostics.begin(), Diagnostics.end());
+	}
 	for (const FDiagnostic& Diagnostic : SummarizeDiagnostics(Diagnostics))
 	{
 		std::fputs(bColorful ? GetColor(Diagnostic.Severity) : "", stderr);

@@ -24,6 +24,22 @@ void WriteMessages(FJsonWriter& Writer, const std::vector<FDiagnostic>& Diagnost
  * NO_COLOR is set). */
 DRYDOCK_API void PrintDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
+/** While it lives, it keeps what PrintDiagnostics is given; the innermost one does. */
+class FScopedPrintedDiagnostics
+{
+public:
+	FScopedPrintedDiagnostics();
+	~FScopedPrintedDiagnostics();
+	FScopedPrintedDiagnostics(const FScopedPrintedDiagnostics&) = delete;
+	FScopedPrintedDiagnostics& operator=(const FScopedPrintedDiagnostics&) = delete;
+
+	const std::vector<FDiagnostic>& Get() const { return Printed; }
+
+private:
+	std::vector<FDiagnostic> Printed;
+	std::vector<FDiagnostic>* const Outer;
+};
+
 /** Columns of the terminal that stdout is; 0 where it is none. */
 int GetOutputWidth();
 

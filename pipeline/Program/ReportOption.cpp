@@ -5,25 +5,24 @@
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 
-#include <unistd.h>
-
 namespace Drydock
 {
 
-void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page)
+void AddReport(FVerbOptions& Verb, std::string& Word, const std::string& Page, bool bDefault)
 {
 	Verb.Add("--report", Word,
-			"Write " + Page + ": on or off; --report alone means on; the default is on at a terminal, otherwise off")
+			"Write " + Page + ": on or off; --report alone means on; the default is " +
+				(bDefault ? "on, but off with --json" : "off"))
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off"});
 }
 
 bool WantsReport(const std::string& Word, bool bJson)
 {
-	return Word.empty() ? !bJson && isatty(STDOUT_FILENO) != 0 : Word != "off";
+	return Word.empty() ? !bJson : Word != "off";
 }
 
-EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, bool bLookedAt)
+EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, bool bDefault)
 {
 	std::string Chosen = Word;
 	try
@@ -34,7 +33,7 @@ EReport ChooseRunReport(const std::string& Word, const std::string& ConfigFile, 
 	catch (const FError&)
 	{
 	}
-	return !Chosen.empty() ? ParseReport(Chosen) : bLookedAt ? EReport::On : EReport::Off;
+	return !Chosen.empty() ? ParseReport(Chosen) : bDefault ? EReport::On : EReport::Off;
 }
 
 void PrintPage(const std::filesystem::path& File)

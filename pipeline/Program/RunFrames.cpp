@@ -106,8 +106,7 @@ int RunFrames(const FFramesOptions& Options)
 			PrintDiagnostics(New);
 		}
 	};
-	const bool bPage =
-		ChooseRunReport(Options.Report, Options.Run.ConfigFile, WantsReport("", Options.bJson)) != EReport::Off;
+	const bool bPage = ChooseRunReport(Options.Report, Options.Run.ConfigFile, false) != EReport::Off;
 	if (bPage)
 	{
 		FRunOptions WalkOptions = Options.Run;

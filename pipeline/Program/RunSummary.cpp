@@ -57,7 +57,8 @@ std::string FormatPasses(const FRunResult& Result, int Width)
 
 } // namespace
 
-std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, double SaveMs, int Width)
+std::string MakeRunSummary(
+	const FRunResult& Result, const std::string& Folder, double SaveMs, std::optional<double> PageMs, int Width)
 {
 	const auto IsReal = [](const FRDGCompiledPass& Pass)
 	{
@@ -85,9 +86,9 @@ std::string MakeRunSummary(const FRunResult& Result, const std::string& Folder, 
 	const FRunTimes& Times = Result.Times;
 	Text += fmt::format(
 		"time     {:.0f} ms: start {:.0f}, setup {:.0f}, load {:.0f}, compile {:.0f}, passes {:.0f}, report {:.0f}, "
-		"save {:.0f}\n",
-		Times.GetSum() + SaveMs, Times.Start, Times.Setup, Times.Load, Times.Compile, Times.Execute, Times.Report,
-		SaveMs);
+		"save {:.0f}{}\n",
+		Times.GetSum() + SaveMs + PageMs.value_or(0.0), Times.Start, Times.Setup, Times.Load, Times.Compile,
+		Times.Execute, Times.Report, SaveMs, PageMs ? fmt::format(", page {:.0f}", *PageMs) : std::string());
 	const bool bPng = Result.Write.count(EOutputKind::Png) > 0;
 	return Text + fmt::format("picture  {}{}\n", Folder, bPng ? "/final.png" : "");
 }

@@ -38,7 +38,9 @@ std::string MakeBuildText(const FBuiltPlugin& Built)
 
 int Build(const FBuildOptions& Options)
 {
-	const FBuiltPlugin Built = BuildPlugin(Options.Build);
+	FPluginBuild Named = Options.Build;
+	Named.EngineNames = Named.EngineMinor != 0 ? 2 : 0; // a version that was asked for is held to
+	const FBuiltPlugin Built = BuildPlugin(Named);
 	PrintResult((Options.bJson ? MakeBuildJson : MakeBuildText)(Built), Options.bJson);
 	return ExitDone;
 }
@@ -52,7 +54,9 @@ FVerbCall AddBuildOptions(FVerbOptions& Verb)
 	Verb.Add("--out", Options->Build.BuildFolder, "Folder of the build; build/NAME by default").SetType("DIR");
 	Verb.Add("--name", Options->Build.Name, "Name of the library; the name of the .uplugin by default").SetType("NAME");
 	Verb.Add("--engine-minor", Options->Build.EngineMinor,
-			"Compile for engine 5.X; by default for the version in the .uplugin or .uproject, else for 5.4")
+			"Compile for engine 5.X, and refuse names that it does not have; by default for the version in the "
+			".uplugin or "
+			".uproject, else for 5.4")
 		.SetType("X")
 		.RequireRange(1, 99);
 	Verb.AddRepeated("--exclude", "PATTERN", Options->Build.Excludes,

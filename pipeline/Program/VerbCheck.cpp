@@ -1,11 +1,12 @@
 // `drydock check`: reads and validates a config and its scene's header, compiles its frame and shaders, draws nothing.
 #include "PrintText.h"
-#include "Program/JUnitOption.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Run/Run.h"
 #include "Run/RunJson.h"
+#include "Run/ShaderWarnings.h"
 #include "Text/JsonWriter.h"
 
 #include <cstdio>
@@ -20,33 +21,9 @@ namespace
 struct FCheckOptions
 {
 	FRunOptions Run;
-	std::string JUnit; // file to write; empty: none
+	FFindingsOptions Findings;
 	bool bJson = false;
 };
-
-/** A case for each family of messages, which are told apart by the thousands of their numbers. */
-std::vector<FJUnitCase> MakeCheckCases(const std::vector<FDiagnostic>& Diagnostics)
-{
-	static const std::vector<std::pair<int, const char*>> Families = {
-		{1, "config"}, {2, "graph and extensions"}, {3, "settings"}, {4, "numbers"}, {5, "files"}, {6, "shaders"}};
-	std::vector<FJUnitCase> Cases;
-	for (const auto& [Family, Name] : Families)
-	{
-		FJUnitCase Case{Name};
-		for (const FDiagnostic& Diagnostic : Diagnostics)
-		{
-			if (Diagnostic.Code / 1000 == Family)
-			{
-				const bool bError = Diagnostic.Severity == ESeverity::Error;
-				std::string& Text = bError ? Case.Message : Case.Output;
-				Text += (Text.empty() ? "" : "\n") + Diagnostic.ToString();
-				Case.Outcome = bError ? EJUnitOutcome::Failed : Case.Outcome;
-			}
-		}
-		Cases.push_back(std::move(Case));
-	}
-	return Cases;
-}
 
 int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 {
@@ -56,8 +33,10 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 	int ExitCode = ExitDone;
 	try
 	{
+		const FShaderWarnings Warnings;
 		const FCheckResult Result = CheckRun(Options.Run);
-		Diagnostics = Result.Diagnostics;
+		Diagnostics = Warnings.Find();
+		Diagnostics.insert(Diagnostics.begin(), Result.Diagnostics.begin(), Result.Diagnostics.end());
 		Effects = Result.Effects;
 		Looked = Result.Shaders.NumClasses > 0 ? "; looked at " + Result.Shaders.Describe() : "";
 	}
@@ -66,12 +45,16 @@ int Check(const FCheckOptions& Options, FJUnitSuite& Suite)
 		Diagnostics = Error.GetDiagnostics();
 		ExitCode = Error.GetExitCode();
 	}
-	Suite.Cases = MakeCheckCases(Diagnostics);
+	Suite.Cases = MakeDiagnosticCases(Diagnostics);
 	if (Options.bJson)
 	{
 		FJsonWriter Writer;
 		WriteMessages(Writer, Diagnostics);
 		PrintText(stdout, Writer.GetText());
+		for (const FDiagnostic& Diagnostic : Diagnostics)
+		{
+			Suite.Findings.push_back({Diagnostic});
+		}
 		return ExitCode;
 	}
 	PrintDiagnostics(Diagnostics);
@@ -89,12 +72,12 @@ FVerbCall AddCheckOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FCheckOptions>();
 	AddConfig(Verb, Options->Run);
-	AddJUnit(Verb, Options->JUnit, "a case for each family of messages");
+	AddFindings(Verb, Options->Findings, "a case for each family of messages");
 	Verb.AddFlag("--json", Options->bJson, "Print the messages as JSON");
 	return [Options]
 	{
-		return CallWithJUnit(
-			Options->JUnit, Options->Run.ConfigFile, [&Options](FJUnitSuite& Suite) { return Check(*Options, Suite); });
+		return CallWithFindings(Options->Findings, "check", Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite) { return Check(*Options, Suite); });
 	};
 }
 

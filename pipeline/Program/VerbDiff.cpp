@@ -1,14 +1,21 @@
 // `drydock diff`: prints how far two images are apart, or two runs picture by picture.
+#include "Picture/ImageFlip.h"
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
 #include "PrintText.h"
-#include "Program/JUnitOption.h"
+#include "Program/Baseline.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
+#include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Report/DiffPage.h"
+#include "Report/ReportData.h"
 #include "Report/ReportPage.h"
+#include "Run/Run.h"
+#include "Run/RunAgain.h"
+#include "Run/RunDifference.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
@@ -36,14 +43,17 @@ namespace Files = std::filesystem;
 
 struct FDiffOptions
 {
-	std::string A; // an image, or the folder of a run
-	std::string B; // what A is measured against, of the same kind
+	std::string A;          // an image, or the folder of a run
+	std::string B;          // what A is measured against, of the same kind
+	bool bBaseline = false; // B must be a baseline
 	std::optional<double> Max;
+	std::string FlipMap; // PNG to write of FLIP; of two folders the folder for one of each image; empty: none
 	std::string HeatMap; // PNG to write; of two folders the folder for one of each image; empty: none
 	bool bJson = false;
-	std::string Report;                    // "on", "off"; empty: on where a person looks on
+	int NumRepeats = 0;                    // runs of each side, to measure times; 0: none
+	std::string Report;                    // "on", "off"; empty: off
 	std::string OutputFolder = "out/diff"; // of the page
-	std::string JUnit;                     // file to write; empty: none
+	FFindingsOptions Findings;
 };
 
 struct FPair
@@ -182,8 +192,8 @@ void WidenToBoth(FComparedImage& A, FComparedImage& B)
 	A.Window = B.Window = Both;
 }
 
-/** HeatMap: a file to write, or empty. Page: where the pictures go, too; or none. */
-void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& Page)
+/** HeatMap, FlipMap: files to write, or empty. Page: where the pictures go, too; or none. */
+void Compare(FPair& Pair, const std::string& HeatMap, const std::string& FlipMap, std::optional<FDiffPage>& Page)
 {
 	FComparedImage A = ReadComparedImage(Pair.A);
 	FComparedImage B = ReadComparedImage(Pair.B);
@@ -220,16 +230,21 @@ void Compare(FPair& Pair, const std::string& HeatMap, std::optional<FDiffPage>& 
 		const double Full = std::isfinite(Pair.Error.Max) ? Pair.Error.Max : Pair.Error.Peak;
 		WritePicture(HeatMap, MakeHeatMap(A.Image, B.Image, Full));
 	}
+	if (!FlipMap.empty())
+	{
+		WritePicture(FlipMap, MakeFlipMap(A.Image, B.Image, A.Encoding));
+	}
 }
 
 std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 {
-	std::vector<std::vector<std::string>> Rows = {{"image", "max", "rms", "relative", "PSNR dB", "SSIM", "largest at"}};
+	std::vector<std::vector<std::string>> Rows = {
+		{"image", "max", "rms", "relative", "PSNR dB", "SSIM", "FLIP", "largest at"}};
 	for (const FPair& Pair : Pairs)
 	{
 		if (Pair.A.empty() || Pair.B.empty())
 		{
-			Rows.push_back({Pair.Name, Pair.A.empty() ? "only in B" : "only in A", "", "", "", "", ""});
+			Rows.push_back({Pair.Name, Pair.A.empty() ? "only in B" : "only in A", "", "", "", "", "", ""});
 			continue;
 		}
 		const FImageError& Error = Pair.Error;
@@ -239,11 +254,12 @@ std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 								   Pair.Channels[static_cast<size_t>(Error.MaxChannel)], Error.MaxA, Error.MaxB);
 		Rows.push_back({Pair.Name, fmt::format("{:.4g}", Error.Max), fmt::format("{:.4g}", Error.Rms),
 			fmt::format("{:.4g}", Error.Relative), fmt::format("{:.2f}", Error.Psnr), fmt::format("{:.6f}", Error.Ssim),
-			Where});
+			fmt::format("{:.5f}", Error.Flip), Where});
 	}
 	constexpr ETextColumn Number = ETextColumn::Number;
 	return FTextTable{
-		{{ETextColumn::Name}, {Number}, {Number}, {Number, 2}, {Number}, {Number, 1}, {ETextColumn::Text}}, Rows}
+		{{ETextColumn::Name}, {Number}, {Number}, {Number, 2}, {Number}, {Number, 1}, {Number}, {ETextColumn::Text}},
+		Rows}
 		.Format(GetOutputWidth());
 }
 
@@ -251,16 +267,17 @@ std::string MakeDiffTable(const std::vector<FPair>& Pairs)
 FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 {
 	const bool bBoth = !Pair.A.empty() && !Pair.B.empty();
-	FJUnitCase Case{Pair.Name};
+	FJUnitCase Case{.Name = Pair.Name, .Rule = "difference"};
 	if (!bBoth)
 	{
 		Case.Output = Pair.A.empty() ? "only in " + Options.B : "only in " + Options.A;
 	}
 	else
 	{
-		Case.Output = fmt::format("max {:.6g} at ({}, {}), rms {:.6g}, relative {:.6g}, PSNR {:.2f} dB, SSIM {:.6f}",
-			Pair.Error.Max, Pair.Error.MaxX, Pair.Error.MaxY, Pair.Error.Rms, Pair.Error.Relative, Pair.Error.Psnr,
-			Pair.Error.Ssim);
+		Case.Output =
+			fmt::format("max {:.6g} at ({}, {}), rms {:.6g}, relative {:.6g}, PSNR {:.2f} dB, SSIM {:.6f}, FLIP {:.5f}",
+				Pair.Error.Max, Pair.Error.MaxX, Pair.Error.MaxY, Pair.Error.Rms, Pair.Error.Relative, Pair.Error.Psnr,
+				Pair.Error.Ssim, Pair.Error.Flip);
 	}
 	if (Options.Max && !(bBoth && Pair.Error.Max <= *Options.Max))
 	{
@@ -272,8 +289,61 @@ FJUnitCase MakeCase(const FPair& Pair, const FDiffOptions& Options)
 	return Case;
 }
 
-/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, nonFinite, at, channel}]} */
-std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options, bool bPassed)
+/** The comparison of two records. */
+struct FRunsCompared
+{
+	std::vector<FRunDifference> Differences;
+	FTimeSpread A; // of all passes
+	FTimeSpread B;
+	int NumRepeats = 0;
+};
+
+/** Runs both in turn, as their records say; nothing is written. */
+void Measure(const FDiffOptions& Options, FRunsCompared& Compared)
+{
+	std::array<FRunAgain, 2> Runs = {ReadRunAgain((Files::path(Options.A) / "run.json").string()),
+		ReadRunAgain((Files::path(Options.B) / "run.json").string())};
+	std::array<std::vector<double>, 2> Samples;
+	FProgressBar Bar;
+	for (int Turn = 0; Turn <= Options.NumRepeats; ++Turn) // the first one fills caches, and does not count
+	{
+		for (size_t Side = 0; Side < Runs.size(); ++Side)
+		{
+			Bar.Show(Turn, Options.NumRepeats + 1, Side == 0 ? "A" : "B");
+			const double Milliseconds = RunConfig(Runs[Side].Options).Times.Execute;
+			if (Turn > 0)
+			{
+				Samples[Side].push_back(Milliseconds);
+			}
+		}
+	}
+	Bar.Clear();
+	Compared.NumRepeats = Options.NumRepeats;
+	Compared.A = MakeTimeSpread(Samples[0]);
+	Compared.B = MakeTimeSpread(Samples[1]);
+}
+
+/** Nothing where a folder has no run.json. */
+std::optional<FRunsCompared> CompareRecords(const FDiffOptions& Options)
+{
+	const std::string A = ReadReportBefore(Options.A).RunJson;
+	const std::string B = ReadReportBefore(Options.B).RunJson;
+	if (A.empty() || B.empty())
+	{
+		return std::nullopt;
+	}
+	FRunsCompared Compared{CompareRuns(A, B), {}, {}, 0};
+	if (Options.NumRepeats > 0)
+	{
+		Measure(Options, Compared);
+	}
+	return Compared;
+}
+
+/** {max: number or null, passed, images: [{name, a, b, max, rms, relative, psnr, ssim, flip, nonFinite, at, channel}],
+ * and of two runs differences: [{kind, name, a, b}], times} */
+std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Options,
+	const std::optional<FRunsCompared>& Runs, bool bPassed)
 {
 	FJsonWriter Writer('{');
 	Writer.Members({{"allowed", Options.Max}, {"passed", bPassed}});
@@ -292,12 +362,28 @@ std::string MakeDiffJson(const std::vector<FPair>& Pairs, const FDiffOptions& Op
 						{"channel", Pair.Channels[static_cast<size_t>(Pair.Error.MaxChannel)]}});
 			}
 		});
+	if (Runs)
+	{
+		WriteRunDifferences(Writer, "differences", Runs->Differences);
+		Writer.Key("times").Object(
+			{{"repeats", Runs->NumRepeats}, {"a", std::array{Runs->A.Low, Runs->A.Median, Runs->A.High}},
+				{"b", std::array{Runs->B.Low, Runs->B.Median, Runs->B.High}},
+				{"sentence", DescribeTimes(Runs->A, Runs->B, Runs->NumRepeats)}});
+	}
 	return Writer.GetText();
 }
 
-std::string GetHeatMapFile(const std::string& HeatMap, const FPair& Pair, bool bFolders)
+std::string MakeRunsText(const FRunsCompared& Runs)
 {
-	return HeatMap.empty() || !bFolders ? HeatMap : (Files::path(HeatMap) / (Pair.Name + ".png")).string();
+	constexpr size_t MaxRows = 20;
+	const std::string Times =
+		Runs.NumRepeats > 0 ? "times    " + DescribeTimes(Runs.A, Runs.B, Runs.NumRepeats) + "\n" : std::string();
+	return "\n" + FormatRunDifferences(Runs.Differences, MaxRows, GetOutputWidth()) + Times;
+}
+
+std::string GetMapFile(const std::string& Map, const FPair& Pair, bool bFolders)
+{
+	return Map.empty() || !bFolders ? Map : (Files::path(Map) / (Pair.Name + ".png")).string();
 }
 
 const FOutputNames& GetDiffOutputNames()
@@ -305,30 +391,6 @@ const FOutputNames& GetDiffOutputNames()
 	static const FOutputNames Names = {
 		.Name = "diff", .Files = {"diff.html"}, .Last = "diff.html", .Folders = {}, .Unsteady = {"diff.html"}};
 	return Names;
-}
-
-/** If nobody asked for the page, an obstacle is only reported, and the comparison goes on without a page: false. */
-bool OpenPageFolder(const FDiffOptions& Options, std::optional<FOutputFolder>& Folder)
-{
-	try
-	{
-		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
-		return true;
-	}
-	catch (const FError& Error)
-	{
-		if (!Options.Report.empty())
-		{
-			throw;
-		}
-		std::vector<FDiagnostic> Said = Error.GetDiagnostics();
-		for (FDiagnostic& Diagnostic : Said)
-		{
-			Diagnostic.Severity = ESeverity::Warning;
-		}
-		PrintDiagnostics(Said);
-		return false;
-	}
 }
 
 /** ExitPolicy where a difference is above Max, or an image is there once only. Throws FError when they cannot be
@@ -344,13 +406,22 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 		throw MakeError(ErrorImagesDiffer, bFolderA ? Options.B : Options.A,
 			"a run's folder can be compared only with a run's folder, an image only with an image", ExitUsage);
 	}
+	if (Options.NumRepeats > 0 && !bFolders)
+	{
+		throw BadArgument("runs both again: it needs the folders of two runs", "--repeat");
+	}
+	if (Options.bBaseline || (bFolders && IsBaseline(Options.B)))
+	{
+		CheckBaseline(Options.B);
+	}
 	std::vector<FPair> Pairs =
 		bFolders ? PairRuns(Options.A, Options.B)
 				 : std::vector<FPair>{{Files::path(Options.A).filename().string(), Options.A, Options.B, {}, {}}};
 	std::optional<FOutputFolder> Folder;
 	std::optional<FDiffPage> Page;
-	if (WantsReport(Options.Report, Options.bJson) && OpenPageFolder(Options, Folder))
+	if (!Options.Report.empty() && Options.Report != "off")
 	{
+		Folder.emplace(Options.OutputFolder, GetDiffOutputNames());
 		Page.emplace();
 	}
 	bool bPassed = true;
@@ -358,19 +429,21 @@ int Diff(const FDiffOptions& Options, FJUnitSuite& Suite)
 	{
 		if (!Pair.A.empty() && !Pair.B.empty())
 		{
-			Compare(Pair, GetHeatMapFile(Options.HeatMap, Pair, bFolders), Page);
+			Compare(
+				Pair, GetMapFile(Options.HeatMap, Pair, bFolders), GetMapFile(Options.FlipMap, Pair, bFolders), Page);
 		}
 		Suite.Cases.push_back(MakeCase(Pair, Options));
 		bPassed = bPassed && Suite.Cases.back().Outcome == EJUnitOutcome::Passed;
 	}
-	const std::string Json = MakeDiffJson(Pairs, Options, bPassed);
+	const std::optional<FRunsCompared> Runs = bFolders ? CompareRecords(Options) : std::nullopt;
+	const std::string Json = MakeDiffJson(Pairs, Options, Runs, bPassed);
 	if (Page)
 	{
 		const std::string Data = Page->MakeData(Options.A, Options.B, Json, FormatReportTime(std::time(nullptr)));
 		WriteWholeFile((Folder->GetAside() / "diff.html").string(), MakeReportPage(Data));
 		Folder->PutInPlace();
 	}
-	PrintResult(Options.bJson ? Json : MakeDiffTable(Pairs), Options.bJson);
+	PrintResult(Options.bJson ? Json : MakeDiffTable(Pairs) + (Runs ? MakeRunsText(*Runs) : ""), Options.bJson);
 	if (Page && !Options.bJson)
 	{
 		PrintPage(Folder->GetPath() / "diff.html");
@@ -389,19 +462,28 @@ FVerbCall AddDiffOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FDiffOptions>();
 	Verb.Add("A", Options->A, "First image, or folder of a run").Require();
 	Verb.Add("B", Options->B, "Second image or folder, of the same kind and size").Require();
+	Verb.AddFlag("--baseline", Options->bBaseline, "Refuse a B that is not a baseline, as drydock bless makes it");
 	Verb.Add("--max", Options->Max, "Exit with code 1 if a value differs by more than this")
 		.RequireNonNegative()
 		.SetType("M");
 	Verb.Add("--heatmap", Options->HeatMap,
 			"Write a PNG that shows the error, over four decades; for two runs a folder with a PNG for each picture")
 		.SetType("FILE");
+	Verb.Add("--flipmap", Options->FlipMap,
+			"Write a PNG of FLIP, the difference that a person sees between the pictures; for two runs a folder")
+		.SetType("FILE");
 	Verb.Add("--out", Options->OutputFolder, "Folder for the page; out/diff by default").SetType("DIR");
-	AddReport(Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making");
-	AddJUnit(Verb, Options->JUnit, "a case for each pair of pictures");
+	Verb.Add("--repeat", Options->NumRepeats,
+			"Run both again in turn, this many times, to say whether one is faster; for two runs")
+		.RequireRange(3, 1000)
+		.SetType("N");
+	AddReport(
+		Verb, Options->Report, "diff.html, both pictures over each other and the differences in their making", false);
+	AddFindings(Verb, Options->Findings, "a case for each pair of pictures");
 	Verb.AddFlag("--json", Options->bJson, "Print the error figures as JSON");
 	return [Options]
 	{
-		return CallWithJUnit(Options->JUnit, Options->A + " against " + Options->B,
+		return CallWithFindings(Options->Findings, "diff", Options->A + " against " + Options->B,
 			[&Options](FJUnitSuite& Suite) { return Diff(*Options, Suite); });
 	};
 }

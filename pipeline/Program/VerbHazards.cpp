@@ -1,6 +1,7 @@
 // `drydock hazards`: a pass of a run under the hazards of the stability table.
 #include "Hazards/HazardCapture.h"
 #include "Picture/Preview.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -8,6 +9,8 @@
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -22,6 +25,7 @@ struct FHazardsVerbOptions
 	FRunOptions Run;
 	FHazardRequest Request;
 	std::string Folder; // of pictures; empty: none
+	FFindingsOptions Findings;
 	bool bJson = false;
 };
 
@@ -69,7 +73,33 @@ void WritePictures(const std::vector<FHazardRow>& Rows, const std::string& Folde
 	Output.PutInPlace();
 }
 
-int RunHazards(FHazardsVerbOptions Options)
+/** A case for each hazard of each pass. A finite picture that becomes NaN is a warning. */
+void AddCases(const std::vector<FHazardRow>& Rows, FJUnitSuite& Suite)
+{
+	for (size_t Index = 0; Index < Rows.size(); ++Index)
+	{
+		const FHazardRow& Row = Rows[Index];
+		const std::string Of = (Rows.size() > 1 ? std::to_string(Index + 1) + ". " : "") + Row.Pass;
+		for (const FHazardFinding& Finding : Row.Findings)
+		{
+			FJUnitCase Case{.Name = Of + ": " + Finding.Hazard, .Output = DescribeFinding(Finding)};
+			const bool bInfinite = std::ranges::any_of(std::array{"NaN", "+Inf", "-Inf", "65520", "1e30"},
+				[&](const char* Name) { return Finding.Hazard.starts_with(Name); }); // as a half has it
+			if (!bInfinite && Finding.NumNaN > 0)
+			{
+				Case.Outcome = EJUnitOutcome::Failed;
+				Case.Message = Finding.Hazard + " in place of " + Row.Input + ": " + Case.Output;
+				Suite.Findings.push_back({{.Severity = ESeverity::Warning,
+											  .Message = Case.Message,
+											  .Where = "pass " + Row.Pass + ", " + Row.Shader},
+					"hazard"});
+			}
+			Suite.Cases.push_back(std::move(Case));
+		}
+	}
+}
+
+int RunHazards(FHazardsVerbOptions Options, FJUnitSuite& Suite)
 {
 	FHazardCapture Capture(Options.Request);
 	Options.Run.Variables.push_back("r.Drydock.NativeKernels=0"); // a shader's constants can be others, a kernel's not
@@ -78,6 +108,7 @@ int RunHazards(FHazardsVerbOptions Options)
 		PrintDiagnostics(RunConfig(Options.Run).Diagnostics);
 	}
 	const std::vector<FHazardRow>& Rows = Capture.GetRows();
+	AddCases(Rows, Suite);
 	if (!Options.Folder.empty())
 	{
 		WritePictures(Rows, Options.Folder);
@@ -98,17 +129,22 @@ FVerbCall AddHazardsOptions(FVerbOptions& Verb)
 	const auto Options = std::make_shared<FHazardsVerbOptions>();
 	AddConfig(Verb, Options->Run);
 	AddThreads(Verb, Options->Run, "Number of threads for the passes; 0: all cores");
-	Verb.Add("--pass", Options->Request.Pass, "Choose the pass by its name or its shader's class; with * and ?")
-		.SetType("PATTERN")
-		.Require();
+	Verb.Add("--pass", Options->Request.Pass,
+			"Choose the pass by its name or its shader's class; with * and ?; all passes of plugins by default")
+		.SetType("PATTERN");
 	Verb.Add("--input", Options->Request.Input,
 			"Replace this texture, named as in the shader; the first with three channels by "
 			"default")
 		.SetType("NAME");
 	Verb.Add("--out", Options->Folder, "Write the pass's output for each hazard as PNG files into this folder")
 		.SetType("DIR");
+	AddFindings(Verb, Options->Findings, "a case for each hazard; a finite picture that becomes NaN fails");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return CallWith(Options, RunHazards);
+	return [Options]
+	{
+		return CallWithFindings(Options->Findings, "hazards", Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite) { return RunHazards(*Options, Suite); });
+	};
 }
 
 } // namespace Drydock

@@ -1,5 +1,7 @@
 // `drydock lint`: what of shaders fails on platforms that drydock is not.
+#include "EngineNames.h"
 #include "GlobalShader.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
@@ -34,7 +36,9 @@ struct FLintOptions
 	FRunOptions Run; // for configs
 	std::vector<std::string> Targets;
 	std::vector<std::string> Platforms;
-	std::string Entry; // of shaders that no class names; empty: all
+	std::string Entry;   // of shaders that no class names; empty: all
+	int EngineMinor = 0; // whose names shaders may use; 0: any
+	FFindingsOptions Findings;
 	bool bList = false;
 	bool bJson = false;
 };
@@ -317,7 +321,33 @@ std::string MakeLintText(const FFound& Found)
 					  Found.Findings.size() == 1 ? "finding" : "findings");
 }
 
-int Lint(const FLintOptions& Options)
+/** A case for each rule of the platforms. Rules of warnings do not fail. */
+void AddCases(const FFound& Found, FJUnitSuite& Suite)
+{
+	for (const FLintRule& Rule : GetLintRules())
+	{
+		FJUnitCase Case{.Name = Rule.Id};
+		for (const FLintFinding& Finding : Found.Findings)
+		{
+			if (Finding.Rule == &Rule)
+			{
+				Suite.Findings.push_back(
+					{{.Severity = Rule.Severity,
+						 .Message = (Finding.What.empty() ? "" : Finding.What + ": ") + Rule.Sentence + " (" +
+									Rule.WayRound + ")",
+						 .File = Finding.File.starts_with('/') ? FindShaderFile(Finding.File) : Finding.File,
+						 .Line = Finding.Line},
+						Rule.Id});
+				std::string& Text = Rule.Severity == ESeverity::Error ? Case.Message : Case.Output;
+				Text += Suite.Findings.back().Diagnostic.ToString() + "\n";
+			}
+		}
+		Case.Outcome = Case.Message.empty() ? EJUnitOutcome::Passed : EJUnitOutcome::Failed;
+		Suite.Cases.push_back(std::move(Case));
+	}
+}
+
+int Lint(const FLintOptions& Options, FJUnitSuite& Suite)
 {
 	if (Options.bList)
 	{
@@ -330,8 +360,10 @@ int Lint(const FLintOptions& Options)
 	}
 	FFound Found;
 	Found.Platforms = GetPlatforms(Options);
+	SetLintEngine(Options.EngineMinor);
 	const auto Print = [&]
 	{
+		AddCases(Found, Suite);
 		PrintResult(Options.bJson ? MakeLintJson(Found) : MakeLintText(Found), Options.bJson);
 	};
 	try
@@ -368,11 +400,21 @@ FVerbCall AddLintOptions(FVerbOptions& Verb)
 			"--platform", "", Options->Platforms, "Report only findings for this platform; repeats; all by default")
 		.RequireOneOf(GetLintPlatforms());
 	Verb.Add("--entry", Options->Entry, "Check only this entry point; all by default").SetType("NAME");
+	Verb.Add("--engine-minor", Options->EngineMinor, "Report the engine's names that engine 5.X does not have")
+		.SetType("X")
+		.RequireRange(1, 99);
 	AddVariables(Verb, Options->Run);
+	AddPlugins(Verb, Options->Run);
 	AddTrust(Verb, Options->Run);
+	AddFindings(Verb, Options->Findings, "a case for each rule");
 	Verb.AddFlag("--list", Options->bList, "List the rules, each with its source document");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");
-	return CallWith(Options, Lint);
+	return [Options]
+	{
+		const std::string About = Options->Targets.empty() ? "rules" : Options->Targets.front();
+		return CallWithFindings(
+			Options->Findings, "lint", About, [&Options](FJUnitSuite& Suite) { return Lint(*Options, Suite); });
+	};
 }
 
 } // namespace Drydock

@@ -3,7 +3,7 @@
 #include "Matrix/MatrixSummary.h"
 #include "Matrix/MatrixTable.h"
 #include "Matrix/MatrixVersions.h"
-#include "Program/JUnitOption.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
@@ -27,7 +27,7 @@ struct FMatrixOptions
 	std::string Versions; // of --versions
 	bool bJson = false;
 	std::string Report; // "on", "off"; empty: on where a person looks on
-	std::string JUnit;  // file to write; empty: none
+	FFindingsOptions Findings;
 };
 
 /** The rooms of tables and of pages know nothing of each other. */
@@ -95,11 +95,11 @@ FVerbCall AddMatrixOptions(FVerbOptions& Verb)
 		"Leave out a file, folder or module: a path relative to PLUGIN_DIR, or a name; with * and ?");
 	Verb.Add("--compiler", Request.Compiler, "C++ compiler; CMake's choice by default").SetType("PATH");
 	AddReport(Verb, Options->Report, "matrix.html, the table and the details of its cells");
-	AddJUnit(Verb, Options->JUnit, "the cases builds, runs and picture for each version");
+	AddFindings(Verb, Options->Findings, "the cases builds, runs and picture for each version");
 	Verb.AddFlag("--json", Options->bJson, "Print the table as JSON");
 	return [Options]
 	{
-		return CallWithJUnit(Options->JUnit, Options->Request.Folder,
+		return CallWithFindings(Options->Findings, "matrix", Options->Request.Folder,
 			[&Options](FJUnitSuite& Suite) { return MakeMatrix(*Options, Suite); });
 	};
 }

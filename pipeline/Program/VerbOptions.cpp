@@ -38,9 +38,19 @@ void AddTrust(FVerbOptions& Verb, FRunOptions& Options)
 		"Write nothing to the shader cache; missing shaders are compiled for this run only");
 }
 
-void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
+void AddPlugins(FVerbOptions& Verb, FRunOptions& Options)
 {
-	Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json").Require();
+	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
+		"Load a plugin; replaces the config's plugin of the same file name; repeats");
+}
+
+void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired)
+{
+	const FVerbOption Config = Verb.Add("CONFIG", Options.ConfigFile, "JSON config, such as configs/toon_bloom.json");
+	if (bRequired)
+	{
+		Config.Require();
+	}
 	AddVariables(Verb, Options);
 	Verb.AddRepeated(
 		"--pp", "SETTING=VALUE", Options.Settings, "Set a post-process setting; repeats; overrides all volumes");
@@ -51,8 +61,7 @@ void AddConfig(FVerbOptions& Verb, FRunOptions& Options)
 		.SetType(FindConfigKey("", "engine")->Of);
 	Verb.AddRepeated("--overlay", "DIR", Options.Overlays,
 		"Put an engine overlay in place of drydock's own files, beside the config's overlays; repeats");
-	Verb.AddRepeated("--plugin", "FILE", Options.Plugins,
-		"Load a plugin; replaces the config's plugin of the same file name; repeats");
+	AddPlugins(Verb, Options);
 	AddTrust(Verb, Options);
 }
 

@@ -13,12 +13,15 @@ namespace Drydock
 /** --set and --exec, in the order in which they were given. */
 void AddVariables(FVerbOptions& Verb, FRunOptions& Options);
 
+/** Adds --plugin. */
+void AddPlugins(FVerbOptions& Verb, FRunOptions& Options);
+
 /** Adds the options for a config from a stranger: --no-plugins and --read-only-cache. */
 void AddTrust(FVerbOptions& Verb, FRunOptions& Options);
 
 /** The config that the verb is about, with the options that change it (--set, --exec, --pp, --frame, --engine and
  * --plugin) and those of AddTrust. */
-void AddConfig(FVerbOptions& Verb, FRunOptions& Options);
+void AddConfig(FVerbOptions& Verb, FRunOptions& Options, bool bRequired = true);
 
 /** --threads. Doc: its line in --help. */
 void AddThreads(FVerbOptions& Verb, FRunOptions& Options, const char* Doc);

@@ -4,6 +4,7 @@
 #include "Inspect/FirstCause.h"
 #include "Overlay/OverlayFolder.h"
 #include "PrintText.h"
+#include "Program/FindingsOption.h"
 #include "Program/InspectOptions.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
@@ -15,10 +16,14 @@
 #include "Program/WatchLoop.h"
 #include "Report/RunReport.h"
 #include "Run/CostModel.h"
+#include "Run/PassesCsv.h"
 #include "Run/Run.h"
+#include "Run/RunAgain.h"
 #include "Run/RunOutputs.h"
+#include "Run/ShaderWarnings.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/ConfigErrors.h"
+#include "Text/TextFile.h"
 #include "Text/WatchedFiles.h"
 
 #include <chrono>
@@ -36,7 +41,11 @@ namespace
 
 struct FRunVerbOptions : FFramesOptions
 {
+	FFindingsOptions Findings;
+	std::string Csv;     // file to write; empty: none
 	bool bWatch = false; // run again whenever something changes
+	std::string Again;   // run.json of a run to repeat; empty: none
+	FRunInputs Before;   // that it depended on
 	FInspectVerbOptions Inspect;
 };
 
@@ -49,7 +58,7 @@ double GetStartMilliseconds()
 /** If the passes themselves made NaN or infinity in the picture, the messages name the line that made it. */
 FRunResult RunToFirstCause(FRunSession& Session, const FRunOptions& Options)
 {
-	if (GetDispatchObserver())
+	if (!GetDispatchObservers().empty())
 	{
 		return Session.Run(std::nullopt, {}); // somebody looks already
 	}
@@ -81,6 +90,7 @@ int RunOnce(const FRunVerbOptions& Options)
 		ChooseRunReport(Options.Report, Options.Run.ConfigFile, !Options.bWatch && WantsReport("", Options.bJson));
 	FProgressBar Bar;
 	FRunOptions RunOptions = Options.Run;
+	RunOptions.bRecordInputs = !Options.bWatch;
 	RunOptions.bKeepForReport = Report != EReport::Off;
 	RunOptions.Progress = [&](int Done, int Total, const std::string& Pass)
 	{
@@ -89,6 +99,8 @@ int RunOnce(const FRunVerbOptions& Options)
 	const std::string Folder = ChooseOutputFolder(Options.OutputFolder, Options.Run);
 	std::optional<FOutputFolder> Output;
 	FRunInspection Inspection(MakeInspectOptions(Options.Inspect, Options.Run));
+	const FShaderWarnings Warnings;
+	std::vector<FDiagnostic> Warned; // found while overlays and plugins are there
 	const FRunResult Result = [&]
 	{
 		FRunSession Session(RunOptions);
@@ -98,18 +110,38 @@ int RunOnce(const FRunVerbOptions& Options)
 		{
 			Observed.emplace(Inspection);
 		}
-		return RunToFirstCause(Session, RunOptions);
+		try
+		{
+			FRunResult Done = RunToFirstCause(Session, RunOptions);
+			Warned = Warnings.Find();
+			return Done;
+		}
+		catch (const FError&)
+		{
+			PrintDiagnostics(Warnings.Find()); // the cause may be among them
+			throw;
+		}
 	}();
 	Bar.Clear();
+	PrintDiagnostics(Warned);
 	PrintDiagnostics(Result.Diagnostics);
+	PrintDiagnostics(Options.Again.empty() ? std::vector<FDiagnostic>()
+										   : FindChangedInputs(Options.Before, Result.Inputs, Options.Again));
 	PrintDiagnostics(Inspection.GetDiagnostics());
 	const std::string Seen = Inspection.Write(Output->GetAside(), GetOutputWidth());
+	std::optional<double> PageMs;
 	const FFurtherOutputs AddReport = [&](const std::filesystem::path& Aside, double SaveMs)
 	{
+		const auto Begin = std::chrono::steady_clock::now();
 		WriteRunReport(Options.Run, Result, Report, Output->GetPath(), Aside, SaveMs);
+		PageMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	};
 	const double SaveMs =
 		WriteRunOutputs(Result, *Output, Report != EReport::Off ? AddReport : FFurtherOutputs(nullptr));
+	if (!Options.Csv.empty())
+	{
+		WriteTextFile(Options.Csv, MakePassesCsv(Result));
+	}
 	Output.reset();           // whoever watches for the summary may start the next run
 	if (Inspection.IsEmpty()) // else its times are the interpreter's
 	{
@@ -118,8 +150,8 @@ int RunOnce(const FRunVerbOptions& Options)
 		Costs.Save();
 	}
 	Options.bJson ? PrintText(stderr, Seen) : PrintResult(Seen);
-	PrintResult(
-		Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs, GetOutputWidth()), Options.bJson);
+	PrintResult(Options.bJson ? Result.RunJson : MakeRunSummary(Result, Folder, SaveMs, PageMs, GetOutputWidth()),
+		Options.bJson);
 	if (Report != EReport::Off && !Options.bJson)
 	{
 		PrintPage(std::filesystem::path(Folder) / "report.html");
@@ -233,9 +265,39 @@ bool IsSequence(const FRunVerbOptions& Options)
 	}
 }
 
-int RunOrWatch(const FRunVerbOptions& Options)
+/** The options of a run by its run.json: as it was. */
+FRunVerbOptions TakeAgain(const FRunVerbOptions& Options)
 {
-	if (IsSequence(Options))
+	FRunVerbOptions Again = Options;
+	if (Options.Again.empty())
+	{
+		if (Options.Run.ConfigFile.empty())
+		{
+			throw BadArgument("is required: a JSON config, or --again with a run.json", "CONFIG");
+		}
+		return Again;
+	}
+	FConfig Nowhere;
+	Nowhere.File = "config.json";
+	const std::vector<std::string> Added = ListRunArguments(Options.Run, Nowhere);
+	if (!Added.empty() || !Options.Frames.empty())
+	{
+		throw BadArgument(
+			"the run is repeated as it was: leave out " + (Added.empty() ? "--frames" : Added.front()), "--again");
+	}
+	const FRunAgain Read = ReadRunAgain(Options.Again, Options.Run.ConfigFile);
+	const std::optional<int> Threads = Options.Run.Threads;
+	Again.Run = Read.Options;
+	Again.Run.Threads = Threads;
+	Again.Run.bNoPlugins = Options.Run.bNoPlugins;
+	Again.Before = Read.Inputs;
+	return Again;
+}
+
+int RunOrWatch(const FRunVerbOptions& Given)
+{
+	const FRunVerbOptions Options = TakeAgain(Given);
+	if (Options.Again.empty() && IsSequence(Options))
 	{
 		return RunFrames(Options);
 	}
@@ -260,7 +322,10 @@ int RunOrWatch(const FRunVerbOptions& Options)
 FVerbCall AddRunOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FRunVerbOptions>();
-	AddConfig(Verb, Options->Run);
+	AddConfig(Verb, Options->Run, false);
+	Verb.Add("--again", Options->Again,
+			"Repeat the run that this run.json records, with its options and the same bits; CONFIG is not needed")
+		.SetType("RUN.json");
 	AddArithmetic(Verb, Options->Run);
 	Verb.Add("--out", Options->OutputFolder, "Folder for the outputs; out/NAME of the config by default")
 		.SetType("DIR");
@@ -294,13 +359,36 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 		.Exclude(Frames);
 	Verb.Add("--report", Options->Report,
 			"Write report.html, or sequence.html for a sequence: on, off, or full, which adds the values of all "
-			"pictures. --report alone means on. It overrides the config's outputs.report. The default is on at a "
-			"terminal, otherwise off, and off with --watch")
+			"pictures. --report alone means on. It overrides the config's outputs.report. The default is on, but off "
+			"with --frames, --watch and --json")
 		.SetValueWhereNoneFollows("on")
 		.RequireOneOf({"on", "off", "full"});
 	AddInspection(Verb, Options->Inspect, Frames);
+	Verb.Add(
+			"--final",
+			[Options](const std::string& Word)
+			{
+				if (Word == "linear")
+				{
+					Options->Run.Variables.push_back("r.HDR.Display.OutputDevice=9");
+				}
+			},
+			"Numbers of final.exr: encoded for the output device (default), or linear, the light of the display in "
+			"half "
+			"floats (r.HDR.Display.OutputDevice 9)")
+		.RequireOneOf({"encoded", "linear"});
+	Verb.Add("--csv", Options->Csv, "Write a table of the passes and their times for spreadsheets").SetType("FILE");
+	AddFindings(Verb, Options->Findings, "a case for the frame");
 	Verb.AddFlag("--json", Options->bJson, "Print run.json instead of the summary");
-	return CallWith(Options, RunOrWatch);
+	return [Options]
+	{
+		return CallWithFindings(Options->Findings, "run", Options->Run.ConfigFile,
+			[&Options](FJUnitSuite& Suite)
+			{
+				Suite.Cases.push_back({.Name = "frame"});
+				return RunOrWatch(*Options);
+			});
+	};
 }
 
 } // namespace Drydock

@@ -1,6 +1,6 @@
 // `drydock study`: measures what accuracy costs, by the variants of a config's study.
 #include "PrintText.h"
-#include "Program/JUnitOption.h"
+#include "Program/FindingsOption.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/ReportOption.h"
@@ -32,7 +32,7 @@ struct FStudyOptions
 	FRunOptions Run;
 	std::string OutputFolder; // empty: GetDefaultOutputFolder
 	bool bJson = false;
-	std::string JUnit;  // file to write; empty: none
+	FFindingsOptions Findings;
 	std::string Report; // "off", "on"; empty: on where a person looks on
 };
 
@@ -60,7 +60,7 @@ std::vector<FJUnitCase> MakeStudyCases(const FStudyResult& Result)
 		for (const size_t Index : Job.Variants)
 		{
 			const FStudyVariant& Variant = Result.Variants[Index];
-			FJUnitCase Case{Prefix + Variant.Label};
+			FJUnitCase Case{.Name = Prefix + Variant.Label, .Rule = "variant"};
 			bChosen = bChosen || Variant.bRecommended;
 			if (!Variant.Competes())
 			{
@@ -85,7 +85,8 @@ std::vector<FJUnitCase> MakeStudyCases(const FStudyResult& Result)
 			Cases.push_back({.Name = Prefix + "recommended",
 				.Outcome = bChosen ? EJUnitOutcome::Passed : EJUnitOutcome::Failed,
 				.Message = bChosen ? "" : Job.Recommendation,
-				.Output = bChosen ? Job.Recommendation : ""});
+				.Output = bChosen ? Job.Recommendation : "",
+				.Rule = "budget"});
 		}
 	}
 	return Cases;
@@ -152,11 +153,11 @@ FVerbCall AddStudyOptions(FVerbOptions& Verb)
 	Verb.Add("--out", Options->OutputFolder, "Folder for tables and pictures; out/NAME of the config by default")
 		.SetType("DIR");
 	AddReport(Verb, Options->Report, "study.html, the chart and the data behind its points");
-	AddJUnit(Verb, Options->JUnit, "a case for each variant, and one for the choice by a budget");
+	AddFindings(Verb, Options->Findings, "a case for each variant, and one for the choice by a budget");
 	Verb.AddFlag("--json", Options->bJson, "Print study.json instead of the table");
 	return [Options]
 	{
-		return CallWithJUnit(Options->JUnit, Options->Run.ConfigFile,
+		return CallWithFindings(Options->Findings, "study", Options->Run.ConfigFile,
 			[&Options](FJUnitSuite& Suite) { return RunStudy(*Options, Suite); });
 	};
 }

@@ -23,24 +23,32 @@ struct FTraceVerbOptions
 	FRunOptions Run;
 	FTraceRequest Request;
 	std::string Pixel;
+	std::string Thread;
 	bool bJson = false;
 };
 
 /** "X,Y" or "X,Y,Z" */
-std::array<int32_t, 3> ParsePixel(const std::string& Text)
+std::array<int32_t, 3> ParsePixel(const std::string& Text, bool bThread)
 {
 	const std::vector<int32_t> Numbers = ParseList<int32_t>(Text);
 	if (Numbers.size() < 2 || Numbers.size() > 3)
 	{
 		throw BadArgument(
-			"'" + Text + "' is not a pixel; expected X,Y as in 100,50, or X,Y,Z of a compute thread", "--pixel");
+			"'" + Text + "' is not a " + (bThread ? "thread" : "pixel") + "; expected X,Y as in 100,50, or X,Y,Z",
+			bThread ? "--thread" : "--pixel");
 	}
 	return {Numbers[0], Numbers[1], Numbers.size() > 2 ? Numbers[2] : 0};
 }
 
 int Trace(FTraceVerbOptions Options)
 {
-	Options.Request.At = ParsePixel(Options.Pixel);
+	Options.Request.bThread = !Options.Thread.empty();
+	if (Options.Request.bThread != Options.Pixel.empty())
+	{
+		throw BadArgument("expected one of --pixel, a texel that the pass writes, and --thread, a compute thread's id",
+			Options.Request.bThread ? "--thread" : "--pixel");
+	}
+	Options.Request.At = ParsePixel(Options.Request.bThread ? Options.Thread : Options.Pixel, Options.Request.bThread);
 	FTraceCapture Capture(Options.Request);
 	{
 		const FScopedDispatchObserver Scope(Capture);
@@ -69,9 +77,9 @@ FVerbCall AddTraceOptions(FVerbOptions& Verb)
 	Verb.Add("--pass", Options->Request.Pass, "Choose the pass by its name or its shader's class; with * and ?")
 		.SetType("PATTERN")
 		.Require();
-	Verb.Add("--pixel", Options->Pixel, "Pixel of the pass's render target, or X,Y,Z of a compute thread")
-		.SetType("X,Y")
-		.Require();
+	Verb.Add("--pixel", Options->Pixel, "Texel that the pass writes; of a compute pass, the thread that stored to it")
+		.SetType("X,Y");
+	Verb.Add("--thread", Options->Thread, "Compute thread, by its dispatch id, in place of --pixel").SetType("X,Y,Z");
 	Verb.Add("--bound", Options->Request.Bound,
 			"Mark lines where float and double differ by more than this, relative to the value or to 1; 0.001 by "
 			"default")

@@ -21,4 +21,19 @@ const std::vector<FVerb>& GetVerbs()
 	return Verbs;
 }
 
+const std::vector<FVerbExample>& GetVerbExamples()
+{
+	static const std::vector<FVerbExample> Examples = {
+#define DRYDOCK_EXAMPLE(Verb, Arguments) {Verb, Arguments},
+#include "Program/VerbExamples.inl"
+#undef DRYDOCK_EXAMPLE
+	};
+	return Examples;
+}
+
+std::string FVerbExample::GetCommand() const
+{
+	return std::string("drydock ") + Verb + (*Verb != '\0' ? " " : "") + Arguments;
+}
+
 } // namespace Drydock

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace Drydock
@@ -57,5 +58,18 @@ struct FVerb
 
 /** All verbs, in the order of VerbTable.inl. */
 const std::vector<FVerb>& GetVerbs();
+
+/** A command that --help prints. */
+struct FVerbExample
+{
+	const char* Verb; // "settings plan"; empty: of the program itself
+	const char* Arguments;
+
+	/** As a shell takes it. */
+	DRYDOCK_API std::string GetCommand() const;
+};
+
+/** In the order in which they run: some read what those before them wrote. */
+DRYDOCK_API const std::vector<FVerbExample>& GetVerbExamples();
 
 } // namespace Drydock

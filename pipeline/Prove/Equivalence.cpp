@@ -26,6 +26,16 @@ const char* const Views = "something is shared by the views, or sized and placed
 						  "and state for each view, "
 						  "and take sizes from the view's rect";
 
+const char* const Exposed =
+	"scene colour is multiplied by View.PreExposure: a pass compares or bends it as if it were not, or multiplies by "
+	"the "
+	"pre-exposure once more. Multiply by View.OneOverPreExposure before, and by View.PreExposure behind";
+const char* const Lopsided =
+	"samples are off by a part of a texel: texel centres lie at one half, (Pixel + 0.5) / Size. An effect that has a "
+	"direction, or reads velocities or places in the world, differs on purpose";
+const char* const Placed = "a pass takes something from the place of the pixel besides its inputs. Noise, patterns, "
+						   "vignettes and places in the world do so on purpose";
+
 /** 1/64 is the narrowest level of the bloom's chain, and its rows are blurred at half that width: corners at multiples
  * of these stay whole pixels on every level. */
 constexpr std::array<int, 4> WholeOnEveryLevel = {128, 64, 37, 51};
@@ -74,6 +84,13 @@ std::vector<FEquivalence> MakeEquivalences()
 		Same("Clobbered1000", "memory that nothing wrote is 1000", {"r.RDG.ClobberResources=1"}, Unwritten),
 		Same("ClobberedNaN", "memory that nothing wrote is NaN", {"r.RDG.ClobberResources=2"}, Unwritten),
 		Same("ClobberedInf", "memory that nothing wrote is infinite", {"r.RDG.ClobberResources=3"}, Unwritten),
+		// With less, dark halves are denormal and keep fewer bits.
+		{"PreExposure", "stored with pre-exposure 4 and 16", {.Variables = {"r.EyeAdaptation.PreExposureOverride=4"}},
+			{.Variables = {"r.EyeAdaptation.PreExposureOverride=16"}}, EAlike::SameButForRounding, Exposed, 4.0},
+		{"Mirrored", "a plugin's pass on mirrored inputs", {}, {}, EAlike::SameBits, Lopsided, 1.0,
+			EPassTransform::Mirrored},
+		{"Shifted", "a plugin's pass on inputs moved by 8 texels", {}, {}, EAlike::SameBits, Placed, 1.0,
+			EPassTransform::Shifted},
 		Laid("OffsetRect", "at (128, 64) of a larger texture", WholeOnEveryLevel),
 		Laid("PaddedExtent", "in the corner of a larger texture", BeyondRightAndBelow),
 		Laid("HalfSizeOffset", "rendered at half the size, at (128, 64) of a larger texture", WholeOnEveryLevel, 50.0),

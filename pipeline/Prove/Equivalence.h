@@ -28,6 +28,14 @@ enum class EViewLayout
 	RightAndLeft, // both, the right one first
 };
 
+/** A change to the inputs of each pass of a plugin, which runs once more beside the frame. */
+enum class EPassTransform
+{
+	None,
+	Mirrored, // left and right
+	Shifted,  // by whole texels to the right
+};
+
 /** The options of a frame's run, beside those that its user asked for. */
 struct FEquivalenceRun
 {
@@ -49,6 +57,10 @@ struct FEquivalence
 	FEquivalenceRun Other;
 	EAlike Alike = EAlike::SameBits;
 	std::string Likely; // what is likely wrong where they differ: a sentence
+	/** Textures between may hold this multiple in the other run. */
+	double Scale = 1.0;
+	/** Not None: both runs are one, in which passes are judged. Effects may break it on purpose. */
+	EPassTransform Transform = EPassTransform::None;
 };
 
 /** All of them. Those of layouts come last. */

@@ -17,12 +17,6 @@ namespace
 constexpr double OneStep = 1.01 / 255; // of a display-encoded value in 8 bits; of larger ones that share
 constexpr uint64_t SharePerMille = 1000;
 
-bool AreClose(double A, double B)
-{
-	const double Size = std::max({1.0, std::abs(A), std::abs(B)});
-	return std::memcmp(&A, &B, sizeof(A)) == 0 || std::abs(A - B) <= OneStep * Size;
-}
-
 std::vector<double> TakePixel(const std::vector<double>& Row, int X, int NumChannels)
 {
 	const auto First = Row.begin() + static_cast<std::ptrdiff_t>(X) * NumChannels;
@@ -43,6 +37,7 @@ struct FComparison
 {
 	bool bExact = true;          // every difference counts, else those above a step
 	bool bSkipUnwritten = false; // pixels that look as if nothing wrote them do not
+	double Scale = 1.0;          // this multiple is the same value
 };
 
 struct FCounted
@@ -73,9 +68,13 @@ FCounted CountDifferences(const FPicture& Base, const FPicture& Other, const FCo
 			for (int Channel = 0; Channel < NumChannels; ++Channel)
 			{
 				const size_t Index = static_cast<size_t>(X) * static_cast<size_t>(NumChannels) + size_t(Channel);
-				const bool bSame = std::memcmp(&RowA[Index], &RowB[Index], sizeof(double)) == 0;
+				const bool bSame = std::memcmp(&RowA[Index], &RowB[Index], sizeof(double)) == 0 ||
+								   (Comparison.Scale != 1.0 && RowA[Index] * Comparison.Scale == RowB[Index]);
 				Counted.NumValues += bSame ? 0 : 1;
-				bDiffers = bDiffers || !(Comparison.bExact ? bSame : AreClose(RowA[Index], RowB[Index]));
+				bDiffers =
+					bDiffers ||
+					!(bSame || (!Comparison.bExact && (AreClose(RowA[Index], RowB[Index]) ||
+														  AreClose(RowA[Index] * Comparison.Scale, RowB[Index]))));
 			}
 			FPixelDifference Pixel{X, Y, {}, {}, 0};
 			if (bDiffers)
@@ -112,6 +111,12 @@ FPicture CopyWindow(const FWrittenMip& Mip)
 
 } // namespace
 
+bool AreClose(double A, double B)
+{
+	const double Size = std::max({1.0, std::abs(A), std::abs(B)});
+	return std::memcmp(&A, &B, sizeof(A)) == 0 || std::abs(A - B) <= OneStep * Size;
+}
+
 std::string FormatSize(const FPicture& Picture)
 {
 	return std::to_string(Picture.Width) + " x " + std::to_string(Picture.Height);
@@ -129,9 +134,10 @@ std::optional<FPixelDifference> ComparePixels(const FPicture& Base, const FPictu
 	return Counted.First;
 }
 
-FPassRecord::FPassRecord(EAlike InAlike, bool bInClobbered)
+FPassRecord::FPassRecord(EAlike InAlike, bool bInClobbered, double InScale)
 	: Alike(InAlike)
 	, bClobbered(bInClobbered)
+	, Scale(InScale)
 {
 }
 
@@ -193,7 +199,9 @@ void FPassRecord::Compare(const FPassWrites& Writes)
 		else
 		{
 			Counted = CountDifferences(Base, Window,
-				{.bExact = Alike == EAlike::SameBits, .bSkipUnwritten = bClobbered && !Known->second.bRaster});
+				{.bExact = Alike == EAlike::SameBits,
+					.bSkipUnwritten = bClobbered && !Known->second.bRaster,
+					.Scale = Scale});
 			Found.Pixel = Counted.First;
 		}
 		if (Found.Pixel || !Found.Sizes.empty())

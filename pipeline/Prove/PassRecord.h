@@ -24,6 +24,9 @@ struct FPixelDifference
 	uint64_t NumPixels = 0; // that differ, in all
 };
 
+/** The same bits, or within one step of 8 bits; of values above 1 relative to them. */
+bool AreClose(double A, double B);
+
 /** "32 x 8". */
 std::string FormatSize(const FPicture& Picture);
 
@@ -50,8 +53,8 @@ class DRYDOCK_API FPassRecord
 public:
 	/** Alike: the likeness of the frames; for textures that passes write in between only the size of differences is
 	 * judged, not their number. bClobbered: the second frame's memory is filled, so that texels that no pass wrote
-	 * differ. */
-	FPassRecord(EAlike InAlike, bool bInClobbered);
+	 * differ. Scale: values of the second frame may be this multiple. */
+	FPassRecord(EAlike InAlike, bool bInClobbered, double InScale = 1.0);
 
 	/** Called with the passes of the base frame. */
 	void Keep(const FPassWrites& Writes);
@@ -75,6 +78,7 @@ private:
 
 	const EAlike Alike;
 	const bool bClobbered;
+	const double Scale;
 	std::map<FKey, FDrawn> Kept;
 	std::map<std::string, int> KeptByName; // passes of that name that ran
 	std::map<std::string, int> ComparedByName;

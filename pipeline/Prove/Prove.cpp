@@ -2,7 +2,9 @@
 #include "Prove/Prove.h"
 
 #include "Prove/PassRecord.h"
+#include "Prove/PassTransform.h"
 #include "Run/Run.h"
+#include "Run/RunErrors.h"
 #include "Text/ConfigErrors.h"
 #include "Text/GlobPattern.h"
 
@@ -14,6 +16,8 @@ namespace Drydock
 
 namespace
 {
+
+const char* const RepeatName = "SecondRun";
 
 bool Clobbers(const FEquivalenceRun& Run)
 {
@@ -62,6 +66,20 @@ public:
 			Proven.NotRun = Plain.Views.size() > 1 ? "the config has several views" : "the picture cannot be halved";
 			return Proven;
 		}
+		if (Equivalence.Transform != EPassTransform::None)
+		{
+			FPassTransform Transform(Equivalence.Transform);
+			const FScopedDispatchObserver Scope(Transform);
+			RunConfig(Options);
+			Proven.FirstPass = Transform.GetDifference();
+			return Proven;
+		}
+		for (const FDiagnostic& Diagnostic : Plain.Diagnostics)
+		{
+			const bool bTold = Equivalence.Name == RepeatName && Diagnostic.Code == WarnUnwrittenRead;
+			Proven.Unwritten +=
+				bTold ? (Proven.Unwritten.empty() ? "" : "; ") + Diagnostic.Where + ": " + Diagnostic.Message : "";
+		}
 		FPicture Base;
 		try
 		{
@@ -82,7 +100,11 @@ public:
 		}
 		catch (const FError& Error)
 		{
-			Proven.Error = JoinMessages(Error);
+			// The base ran: what the CPU or the build lacks is the number of lanes, which is not the config's fault.
+			const bool bLanes =
+				std::ranges::all_of(Error.GetDiagnostics(), [](const FDiagnostic& Each) { return Each.Code == 6003; });
+			(bLanes ? Proven.NotRun : Proven.Error) =
+				bLanes ? "this CPU or this build has no code for it" : JoinMessages(Error);
 		}
 		return Proven;
 	}
@@ -127,7 +149,7 @@ private:
 	void FindFirstPass(FProven& Proven) const
 	{
 		const FEquivalence& Equivalence = *Proven.Equivalence;
-		FPassRecord Record(Equivalence.Alike, Clobbers(Equivalence.Other));
+		FPassRecord Record(Equivalence.Alike, Clobbers(Equivalence.Other), Equivalence.Scale);
 		FRunOptions Base = MakeOptions(Equivalence.Base);
 		Base.OnPassExecuted = [&Record](const FPassWrites& Writes)
 		{
@@ -183,7 +205,11 @@ std::vector<FProven> ProveConfig(const FProveOptions& Options)
 		{
 			Options.Progress(static_cast<int>(Proven.size()), static_cast<int>(Asked.size()), Equivalence->Name);
 		}
-		Proven.push_back(Prover.Prove(*Equivalence));
+		FProven Unjudged;
+		Unjudged.Equivalence = Equivalence;
+		Unjudged.NotRun = "the frame is not repeatable";
+		const bool bRepeatable = Proven.empty() || Proven[0].Holds() || Proven[0].Equivalence->Name != RepeatName;
+		Proven.push_back(bRepeatable ? Prover.Prove(*Equivalence) : Unjudged);
 	}
 	return Proven;
 }

@@ -40,22 +40,6 @@ std::string FormatFirstPass(const FFirstDifference& Pass)
 	return Text;
 }
 
-std::string FormatDifference(const FProven& Proven)
-{
-	std::string Text;
-	if (!Proven.Error.empty())
-	{
-		return "      " + Proven.Error + "\n";
-	}
-	if (Proven.FirstPass)
-	{
-		Text += FormatFirstPass(*Proven.FirstPass);
-	}
-	Text += Proven.Final ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
-						 : "      the final picture is " + Proven.OtherSize + "\n";
-	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
-}
-
 std::string FormatVerdict(const FProven& Proven)
 {
 	if (!Proven.NotRun.empty())
@@ -64,7 +48,11 @@ std::string FormatVerdict(const FProven& Proven)
 	}
 	if (!Proven.Holds())
 	{
-		return Proven.Error.empty() ? "DIFFERS" : "DOES NOT RUN";
+		return !Proven.Unwritten.empty() ? "NOT REPEATABLE" : Proven.Error.empty() ? "DIFFERS" : "DOES NOT RUN";
+	}
+	if (Proven.MayBeMeant())
+	{
+		return "DIFFERS in one pass, which may be meant";
 	}
 	return Proven.NumRounded == 0
 			   ? "the same bits"
@@ -85,6 +73,28 @@ void WritePixel(FJsonWriter& Writer, const char* Name, const FPixelDifference& P
 
 } // namespace
 
+std::string DescribeDifference(const FProven& Proven)
+{
+	std::string Text;
+	if (!Proven.Error.empty())
+	{
+		return "      " + Proven.Error + "\n";
+	}
+	if (!Proven.Unwritten.empty())
+	{
+		return "      " + Proven.Unwritten +
+			   "\n      the frame is not repeatable on a GPU, and nothing else is judged\n";
+	}
+	if (Proven.FirstPass)
+	{
+		Text += FormatFirstPass(*Proven.FirstPass);
+	}
+	Text += Proven.MayBeMeant() ? ""
+			: Proven.Final      ? "      the final picture: " + FormatPixel(*Proven.Final) + "\n"
+								: "      the final picture is " + Proven.OtherSize + "\n";
+	return Text + "      likely: " + Proven.Equivalence->Likely + "\n";
+}
+
 std::string MakeProveText(const std::string& Config, const std::vector<FProven>& Proven, int Width)
 {
 	std::string Text = Config + " gives the same picture:\n";
@@ -94,7 +104,8 @@ std::string MakeProveText(const std::string& Config, const std::vector<FProven>&
 	for (const FProven& One : Proven)
 	{
 		Table.Rows.push_back({One.Equivalence->Name, One.Equivalence->What, FormatVerdict(One)});
-		Differences += One.Holds() ? "" : "  " + One.Equivalence->Name + ":\n" + FormatDifference(One);
+		Differences +=
+			One.Holds() && !One.MayBeMeant() ? "" : "  " + One.Equivalence->Name + ":\n" + DescribeDifference(One);
 		NumBroken += One.Holds() ? 0 : 1;
 	}
 	return Text + Table.Format(Width, "  ") + Differences +
@@ -112,8 +123,9 @@ std::string MakeProveJson(const std::string& Config, const std::vector<FProven>&
 		{
 			Writer.BeginObject();
 			Writer.Members({{"name", One.Equivalence->Name}, {"what", One.Equivalence->What}, {"holds", One.Holds()},
-				{"notAsked", One.NotRun}, {"error", One.Error}, {"otherSize", One.OtherSize},
-				{"roundedValues", One.NumRounded}, {"likely", One.Holds() ? "" : One.Equivalence->Likely}});
+				{"notAsked", One.NotRun}, {"error", One.Error}, {"unwritten", One.Unwritten},
+				{"otherSize", One.OtherSize}, {"roundedValues", One.NumRounded},
+				{"likely", One.Holds() && !One.MayBeMeant() ? "" : One.Equivalence->Likely}});
 			if (One.FirstPass)
 			{
 				Writer.Key("firstPass").BeginObject();

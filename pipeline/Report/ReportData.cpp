@@ -7,8 +7,10 @@
 #include "Report/ReportPage.h"
 #include "Report/ReportPicture.h"
 #include "Run/GraphJson.h"
+#include "Run/RunDifference.h"
 #include "Run/RunDump.h"
 #include "Shader.h"
+#include "ShaderBinding.h"
 #include "Text/Json.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
@@ -17,6 +19,7 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <set>
 
 namespace Drydock
 {
@@ -212,6 +215,22 @@ void WritePermutations(FJsonWriter& Writer, const FShaderType& Type)
 		});
 }
 
+/** Parameters whose resources the class uses in any permutation. Nothing where no struct was bound. */
+void WriteBound(FJsonWriter& Writer, const FShaderType& Type)
+{
+	std::set<std::string> Bound;
+	Type.ForEachShader(
+		[&](FShader& Shader)
+		{
+			const std::vector<std::string> Names = ListBoundResources(Shader);
+			Bound.insert(Names.begin(), Names.end());
+		});
+	if (!Bound.empty())
+	{
+		Writer.Member("bound", std::vector<std::string>(Bound.begin(), Bound.end()));
+	}
+}
+
 /** Writes what the graph and the run leave out about passes that ran. */
 void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 {
@@ -226,6 +245,7 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 			if (Type != nullptr)
 			{
 				WritePermutations(Writer, *Type);
+				WriteBound(Writer, *Type);
 			}
 			Writer.Key("parameters").BeginArray();
 			const auto Values = Result.PassValues.find(Pass.Index);
@@ -239,14 +259,14 @@ void WritePasses(FJsonWriter& Writer, const FRunResult& Result)
 		});
 }
 
-void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
+void WriteSettings(FJsonWriter& Writer, const FReportInputs& Inputs)
 {
 	Writer.Array("settings", GetSettingFields(),
 		[&](const FSettingField& Field)
 		{
-			const std::string Value = SettingToJson(Field, Field.Get(Result.Settings));
+			const std::string Value = SettingToJson(Field, Field.Get(Inputs.Result.Settings));
 			const std::string Default = SettingToJson(Field, Field.Default);
-			if (Value == Default)
+			if (Value == Default || (Inputs.Touched && Inputs.Touched->count(Field.Name) == 0))
 			{
 				return;
 			}
@@ -276,14 +296,16 @@ void WriteNonFinite(FJsonWriter& Writer, const FNonFiniteSpread& Spread)
 	Writer.EndObject();
 }
 
-void WriteBefore(FJsonWriter& Writer, const FReportBefore& Before)
+void WriteBefore(FJsonWriter& Writer, const FReportInputs& Inputs)
 {
+	const FReportBefore& Before = Inputs.Before;
 	if (Before.RunJson.empty())
 	{
 		return;
 	}
 	Writer.Key("previous").BeginObject();
 	Writer.Member("written", Before.When);
+	WriteRunDifferences(Writer, "differences", CompareRuns(Before.RunJson, Inputs.Result.RunJson));
 	Writer.Key("run").Raw(Before.RunJson);
 	Writer.RawMember("timing", Before.TimingJson);
 	Writer.EndObject();
@@ -330,9 +352,9 @@ std::string MakeReportData(const FReportInputs& Inputs)
 	Writer.RawMember("blend", Inputs.BlendJson);
 	Writer.RawMember("walk", Inputs.WalkJson);
 	WritePasses(Writer, Inputs.Result);
-	WriteSettings(Writer, Inputs.Result);
+	WriteSettings(Writer, Inputs);
 	WriteNonFinite(Writer, Inputs.Result.NonFinite);
-	WriteBefore(Writer, Inputs.Before);
+	WriteBefore(Writer, Inputs);
 	FPictures(Writer, Inputs).Write();
 	return Writer.GetText();
 }

@@ -4,6 +4,8 @@
 
 #include "Run/RunResult.h"
 
+#include <optional>
+#include <set>
 #include <string>
 
 namespace Drydock
@@ -23,14 +25,15 @@ DRYDOCK_API FReportBefore ReadReportBefore(const std::string& Folder);
 
 struct FReportInputs
 {
-	const FRunResult& Result; // executed, with bKeepForReport
-	std::string Name;         // of the page
-	std::string When;         // UTC, "2025-01-31T12:00:00Z"; empty: now
-	std::string TimingJson;   // of timing.json
-	std::string ExplainJson;  // MakeExplainJson; empty: not known
-	std::string BlendJson;    // MakeBlendJson; empty: not known
-	std::string WalkJson;     // MakeSceneWalkJson; empty: none
-	std::string Folder;       // where the run's PNG files lie, and where others are made in passing
+	const FRunResult& Result;                     // executed, with bKeepForReport
+	std::string Name;                             // of the page
+	std::string When;                             // UTC, "2025-01-31T12:00:00Z"; empty: now
+	std::string TimingJson;                       // of timing.json
+	std::string ExplainJson;                      // MakeExplainJson; empty: not known
+	std::string BlendJson;                        // MakeBlendJson; empty: not known
+	std::string WalkJson;                         // MakeSceneWalkJson; empty: none
+	std::optional<std::set<std::string>> Touched; // settings that somebody gives; nothing: not known, all that differ
+	std::string Folder;                           // where the run's PNG files lie, and where others are made in passing
 	FReportBefore Before;
 	bool bFull = false;                   // the values of all pictures go in
 	size_t MaxThumbnailBytes = 2'000'000; // as PNG, together

@@ -2,6 +2,7 @@
 #include "Report/ReportPage.h"
 
 #include "InstallPaths.h"
+#include "Report/PortablePaths.h"
 #include "Report/ReportPicture.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
@@ -44,8 +45,9 @@ std::string FormatReportTime(std::time_t Time)
 	return Text;
 }
 
-std::string MakeReportPage(const std::string& Data, size_t MaxPlainBytes)
+std::string MakeReportPage(const std::string& OwnData, size_t MaxPlainBytes)
 {
+	const std::string Data = MakePathsPortable(OwnData);
 	const std::string Packed = Data.size() > MaxPlainBytes ? EncodeBase64(Deflate(Data)) : Data;
 	const std::string File = FindTemplate();
 	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is drydock installed completely?");

@@ -21,8 +21,8 @@ DRYDOCK_API std::string FormatReportTime(std::time_t Time);
 constexpr size_t MaxPlainDataBytes = 4'000'000;
 
 /** The whole of report.html. Data: JSON by report/report.schema.json; larger ones go in as a string, zlib's stream of
- * them in base64, where that halves them. Throws FError (exit code 3) where drydock's own template is missing or
- * damaged. */
+ * them in base64, where that halves them. Absolute paths in it are shortened (MakePathsPortable). Throws FError (exit
+ * code 3) where drydock's own template is missing or damaged. */
 DRYDOCK_API std::string MakeReportPage(const std::string& Data, size_t MaxPlainBytes = MaxPlainDataBytes);
 
 } // namespace Drydock

@@ -2,6 +2,7 @@
 #include "Report/RunReport.h"
 
 #include "Blend/MakeBlendReport.h"
+#include "PostProcessSettingsReflection.h"
 #include "Report/ReportData.h"
 #include "Report/ReportPage.h"
 #include "Report/WalkData.h"
@@ -22,8 +23,13 @@ bool HasPlugins(const FRunOptions& Options, const FRunResult& Result)
 	return !Options.Plugins.empty() || !Result.Config.Plugins.empty();
 }
 
+/** With plugins nothing is known of the frame without skipping. */
 std::string ExplainRun(FRunOptions Options, const FRunResult& Result)
 {
+	if (HasPlugins(Options, Result))
+	{
+		return MakeExplainJson(MakeExplainReport(Result, Result, FCostModel::Load()));
+	}
 	Options.bExecute = false;
 	Options.bPlanLoads = true;
 	Options.bNoSkip = true;
@@ -32,11 +38,30 @@ std::string ExplainRun(FRunOptions Options, const FRunResult& Result)
 	return MakeExplainJson(MakeExplainReport(Result, RunConfig(Options), FCostModel::Load()));
 }
 
-std::string BlendRun(const FRunOptions& Options)
+/** The blend once more; of plugins only the settings, as they blend without SetupView. */
+FBlendReport BlendRun(const FRunOptions& Options, const FRunResult& Result)
 {
 	const FRunSetup Setup(Options);
-	const FBlendReport Report = MakeBlendReport(Setup, Setup.Config.View.Location.IsSet() ? "view.location" : "scene");
-	return MakeBlendJson(Report, FindChangedSettings(Report));
+	return MakeBlendReport(
+		Setup, Setup.Config.View.Location.IsSet() ? "view.location" : "scene", !HasPlugins(Options, Result));
+}
+
+/** The settings that something other than a default gives, and those that an extension has changed since. */
+std::set<std::string> FindTouched(const FBlendReport& Blend, const FRunResult& Result)
+{
+	std::set<std::string> Names;
+	for (const size_t Index : FindChangedSettings(Blend))
+	{
+		Names.insert(GetSettingFields()[Index].Name);
+	}
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		if (SettingToJson(Field, Field.Get(Blend.Blended.Settings)) != SettingToJson(Field, Field.Get(Result.Settings)))
+		{
+			Names.insert(Field.Name);
+		}
+	}
+	return Names;
 }
 
 } // namespace
@@ -49,14 +74,16 @@ EReport ParseReport(const std::string& Word)
 void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,
 	const std::filesystem::path& Folder, const std::filesystem::path& Aside, double SaveMs)
 {
+	const FBlendReport Blend = BlendRun(Options, Result);
 	const FReportInputs Inputs{.Result = Result,
 		.Name = std::filesystem::path(Options.ConfigFile).stem().string(),
 		.When = "",
 		.TimingJson = MakeTimingJson(Result, SaveMs),
-		.ExplainJson = HasPlugins(Options, Result) ? "" : ExplainRun(Options, Result),
-		.BlendJson = HasPlugins(Options, Result) ? "" : BlendRun(Options),
+		.ExplainJson = ExplainRun(Options, Result),
+		.BlendJson = MakeBlendJson(Blend, FindChangedSettings(Blend)),
 		.WalkJson =
 			Result.Config.Scene.Sequence.empty() || HasPlugins(Options, Result) ? "" : MakeSceneWalkJson(Options),
+		.Touched = FindTouched(Blend, Result),
 		.Folder = Aside.string(),
 		.Before = ReadReportBefore(Folder.string()),
 		.bFull = Report == EReport::Full};

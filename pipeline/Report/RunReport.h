@@ -21,8 +21,8 @@ enum class EReport
 /** "off", "on" or "full"; On for other words. */
 DRYDOCK_API EReport ParseReport(const std::string& Word);
 
-/** Compiles the frame once more with nothing skipped, which shows what skipping saved, and blends its settings with
- * their ledger; a report of a run with plugins has neither. Then writes report.html into Aside, where the run's other
+/** Compiles the frame once more with nothing skipped, which shows what skipping saved, unless plugins would be called
+ * once more, and blends its settings with their ledger. Then writes report.html into Aside, where the run's other
  * files lie already. Folder: may hold an earlier run's report, which the page shows beside. Options: those of the run,
  * whose sessions have all ended. SaveMs: time that writing the other files took. Throws FError. */
 DRYDOCK_API void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,

@@ -24,7 +24,7 @@ std::string MakeStudyPageData(
 			for (const auto& [Name, Cost] : {std::pair("time", EStudyCost::Milliseconds), {"taps", EStudyCost::Taps}})
 			{
 				Writer.Key(Name).BeginObject();
-				for (const char* Metric : {"max", "rms", "relative", "psnr", "ssim"})
+				for (const std::string& Metric : GetMetricNames())
 				{
 					Writer.Key(Metric);
 					WriteChartPanel(Writer, MakeStudyPanel(Result, Job, Cost, Metric));

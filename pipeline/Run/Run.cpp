@@ -65,6 +65,7 @@ FRunResult MakeResult(const FRunSetup& Setup, const FSceneFile& Scene)
 	{
 		Result.Device = Backend->GetDeviceName();
 	}
+	Result.Variables = ListRunVariables();
 	Result.Storage = StorageNames[std::clamp(GetVariableInt("r.Drydock.Storage"), 0, 2)];
 	Result.Threads = GetNumThreads();
 	Result.LightColor = Scene.GetLightColor();
@@ -258,6 +259,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	const FFrameInputs Inputs = MakeFrameInputs(Options, Setup, Scene, Before, Observer, Result.Times.Load);
 	TakeUncalledReplacements(); // of the frame before
 	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result.Graph.Warnings);
+	AddNewDiagnostics(Result.Diagnostics, Observer.GetUnwrittenReads());
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
@@ -406,6 +408,14 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 			}
 			Result.Diagnostics.push_back(DescribeSpread(Result.NonFinite, InFile));
 		}
+	}
+	FRunOptions OfFrame = Options;
+	OfFrame.Frame = Frame ? Frame : Options.Frame;
+	Result.Arguments = ListRunArguments(OfFrame, Result.Config);
+	Result.bHistory = std::ranges::any_of(Last, &FViewHistory::bValid);
+	if (Options.bRecordInputs)
+	{
+		Result.Inputs = FindRunInputs(Options, Result.Config);
 	}
 	Result.RunJson = MakeRunJson(Result);
 	Result.Times.Begin = FrameBegin;

@@ -20,14 +20,29 @@ namespace Drydock
 namespace
 {
 
-/** Names that a pattern could have meant. */
-std::vector<std::string> GetDumpCandidates(const FRDGCompiledGraph& Graph)
+/** Names that a pattern could have meant. For a pattern that ends with *: their beginnings of nearly its length. */
+std::vector<std::string> GetDumpCandidates(const std::string& Pattern, const FRDGCompiledGraph& Graph)
 {
 	auto Names =
 		ToVector<std::string>(Graph.Passes, [&](const FRDGCompiledPass& Pass) { return GetShortPassName(Pass.Name); });
 	for (const FRDGCompiledResource& Resource : Graph.Resources)
 	{
 		Names.push_back(Resource.Name);
+	}
+	for (const FRDGCompiledPass& Pass : Graph.Passes)
+	{
+		for (const FRDGUse& Use : Pass.Uses)
+		{
+			Names.push_back(
+				GetShortPassName(Pass.Name) + "." + Graph.Resources[static_cast<size_t>(Use.Resource)].Name);
+		}
+	}
+	if (Pattern.size() > 2 && Pattern.back() == '*')
+	{
+		for (std::string& Name : Names)
+		{
+			Name = Name.substr(0, Pattern.size() - 2) + "*";
+		}
 	}
 	return Names;
 }
@@ -130,7 +145,8 @@ std::vector<FDiagnostic> CheckDumpPatterns(
 		const std::string Why =
 			Culled != nullptr
 				? "matches only culled passes: " + Culled->Name + " (" + Result.Graph.DescribeCulled(*Culled) + ")"
-				: "matches no pass and no resource" + Suggest(Pattern.Value, GetDumpCandidates(Result.Graph));
+				: "matches no pass and no resource" +
+					  Suggest(Pattern.Value, GetDumpCandidates(Pattern.Value, Result.Graph));
 		Messages.Warn(WarnNothingDumped, Pattern.Place, "dump pattern \"" + Pattern.Value + "\" " + Why);
 	}
 	return Diagnostics;

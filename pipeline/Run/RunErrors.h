@@ -7,9 +7,11 @@ namespace Drydock
 
 enum ERunError
 {
-	NoteSilentPass = 4004, // a pass wrote again what it read
+	NoteSilentPass = 4004,    // a pass wrote again what it read
+	WarnUnwrittenRead = 4006, // a pass depends on texels that nothing wrote
 
 	NoteShaderNotLookedAt = 6013, // permutations of a plugin's class, or a pass that does not tell its shader
+	WarnShader = 6024,            // the front end's own warnings about a shader that drydock does not ship
 };
 
 } // namespace Drydock

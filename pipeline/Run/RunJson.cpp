@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 namespace Drydock
@@ -35,6 +36,21 @@ void WriteSettings(FJsonWriter& Writer, const FRunResult& Result)
 		Writer.Key(Field.Name).Raw(SettingToJson(Field, Field.Get(Result.Settings)));
 	}
 	Writer.EndObject();
+}
+
+/** The record by which a run is repeated and compared. */
+void WriteInputs(FJsonWriter& Writer, const FRunResult& Result)
+{
+	Writer.Member("arguments", Result.Arguments);
+	Writer.Object("inputs", Result.Inputs, [&](const auto& Input) { Writer.Member(Input.first, Input.second); });
+	Writer.Array("variables", Result.Variables,
+		[&](const FRunVariable& Variable) {
+			Writer.Object({{"name", Variable.Name}, {"value", Variable.Value}, {"setBy", Variable.SetBy}});
+		});
+	if (Result.bHistory)
+	{
+		Writer.Member("history", true);
+	}
 }
 
 void WriteEffects(
@@ -149,7 +165,8 @@ void WriteWarnings(FJsonWriter& Writer, const FRunResult& Result)
 				Where += ":" + std::to_string(Diagnostic.Line) + ":" + std::to_string(Diagnostic.Column);
 			}
 			Where += (Where.empty() || Diagnostic.Where.empty() ? "" : " ") + Diagnostic.Where;
-			Writer.Object({{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Where}});
+			Writer.Object({{"severity", Diagnostic.Severity == ESeverity::Note ? "note" : "warning"},
+				{"code", FormatCode(Diagnostic.Code)}, {"message", Diagnostic.Message}, {"where", Where}});
 		});
 }
 
@@ -221,8 +238,9 @@ std::string GetCpuName()
 std::string MakeRunJson(const FRunResult& Result)
 {
 	FJsonWriter Writer('{');
-	Writer.Members({{"version", GetVersion()}, {"config", Result.Config.File}, {"engine", Result.Config.Engine.Value},
-		{"precision", Result.Precision}});
+	Writer.Members({{"version", GetVersion()}, {"commit", GetCommit()},
+		{"config", std::filesystem::path(Result.Config.File).filename().string()},
+		{"engine", Result.Config.Engine.Value}, {"precision", Result.Precision}});
 	Writer.MemberIfAny("device", Result.Device);
 	Writer.Member("storage", Result.Storage);
 	Writer.MemberIfAny("budget", Result.BudgetReason);
@@ -235,6 +253,7 @@ std::string MakeRunJson(const FRunResult& Result)
 	Writer.Members({{"scale", Result.ExposureScale}, {"preExposure", Result.Config.View.PreExposure.Value}});
 	WriteExposure(Writer, Result.Exposure);
 	Writer.EndObject();
+	WriteInputs(Writer, Result);
 	WriteSettings(Writer, Result);
 	WriteEffects(Writer, Result.Effects, Result.Figures);
 	WriteViews(Writer, Result);
@@ -251,9 +270,10 @@ std::string MakeRunJson(const FRunResult& Result)
 	return Writer.GetText();
 }
 
-std::string MakeTimingJson(const FRunResult& Result, double SaveMs)
+std::string MakeTimingJson(const FRunResult& Result, double SaveMs, const std::string& ConfigPath)
 {
 	FJsonWriter Writer('{');
+	Writer.MemberIfAny("config", ConfigPath);
 	Writer.Members({{"threads", Result.Threads}, {"cpu", GetCpuName()}});
 	Writer.Array("passes", Result.Passes,
 		[&](const FRunPass& Pass)

@@ -9,9 +9,10 @@ namespace Drydock
 
 std::string MakeRunJson(const FRunResult& Result);
 
-/** SaveMs: how long writing the pictures took. The parts add up to wallMs, which is taken for itself, but for what lies
+/** SaveMs: how long writing the pictures took. ConfigPath: the config, from the folder of the outputs; empty: left out.
+ * The parts add up to wallMs, which is taken for itself, but for what lies
  * between them. */
-DRYDOCK_API std::string MakeTimingJson(const FRunResult& Result, double SaveMs);
+DRYDOCK_API std::string MakeTimingJson(const FRunResult& Result, double SaveMs, const std::string& ConfigPath = "");
 
 /** Opens in chrome://tracing and ui.perfetto.dev. */
 std::string MakeTraceJson(const FRunResult& Result);

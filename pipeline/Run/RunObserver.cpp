@@ -85,6 +85,11 @@ bool FRunObserver::WantsZeroedTextures() const
 	return !Setup.Dump.empty() || Options.bFingerprints || Options.bKeepForReport || Options.OnPassExecuted;
 }
 
+bool FRunObserver::OnTextureMade(FRHITexture& Texture)
+{
+	return Options.bFollowUnwritten && Unwritten.OnTextureMade(Texture);
+}
+
 void FRunObserver::OnPassPlanned(int32_t PassIndex, const FRDGPass& Pass)
 {
 	if (Options.bPassValues || Options.bKeepForReport)
@@ -123,6 +128,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 void FRunObserver::OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds,
 	const FPassCounters& Counters, const std::vector<FRDGTexture*>& WrittenTextures)
 {
+	Unwritten.OnPassExecuted(Pass.GetName(), Pass.GetOwner().IsForeign(), Counters, WrittenTextures);
 	Result.Passes.push_back({PassIndex, Milliseconds, Counters});
 	Result.Passes.back().Taps = CountTaps(Pass, Counters);
 	OnPassPlanned(PassIndex, Pass);

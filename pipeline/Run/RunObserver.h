@@ -3,6 +3,7 @@
 
 #include "RenderGraphObserver.h"
 #include "Run/RunResult.h"
+#include "Run/UnwrittenWatch.h"
 #include "SceneFile/SceneFile.h"
 
 #include <map>
@@ -23,11 +24,14 @@ public:
 	bool WantsPlannedExternals() const override;
 	void OnPassPlanned(int32_t PassIndex, const FRDGPass& Pass) override;
 	bool WantsZeroedTextures() const override;
+	bool OnTextureMade(FRHITexture& Texture) override;
 	bool ShowsWarnings() const override { return true; } // they are among the run's
 	void OnExternalsPlanned(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override;
+
+	const std::vector<FDiagnostic>& GetUnwrittenReads() const { return Unwritten.GetDiagnostics(); }
 
 private:
 	/** Finds the needed textures; without skipping, every texture that the file can fill. */
@@ -54,6 +58,8 @@ private:
 	std::map<const FRDGTexture*, std::vector<FIntRect>> Drawn;
 	/** Indices of the graph's passes that are not left out; empty while a graph runs in immediate mode. */
 	std::vector<size_t> ToExecute;
+	FUnwrittenWatch Unwritten;
+	const FScopedDispatchObserver UnwrittenScope{Unwritten};
 };
 
 } // namespace Drydock

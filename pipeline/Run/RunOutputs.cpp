@@ -1,6 +1,7 @@
 // Writes a run's pictures and reports aside and moves them into place.
 #include "Run/RunOutputs.h"
 
+#include "Picture/ExrWriter.h"
 #include "Picture/Preview.h"
 #include "Picture/TextureImage.h"
 #include "RenderGraphDump.h"
@@ -37,6 +38,13 @@ void MakeFolder(const Files::path& Folder)
 
 using FJobs = std::vector<std::function<void()>>;
 
+/** Attributes by which other programs know the meaning of a picture's numbers. Encoding: as GetEncodingName has it. */
+std::map<std::string, std::string> MakeColorAttributes(const std::string& Encoding)
+{
+	const bool bWide = Encoding.find("2020") != std::string::npos;
+	return {{ChromaticitiesName, bWide ? "Rec.2020" : "Rec.709"}, {"drydock:encoding", Encoding}};
+}
+
 void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKind Kind, FJobs& Jobs)
 {
 	if (Kind == EOutputKind::Png)
@@ -56,13 +64,13 @@ void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKin
 	Jobs.push_back(
 		[&Result, File = (Folder / "scene_linear.exr").string()] {
 			WriteExr(
-				File, Result.SceneLinear, GetChannelNames(4), {{"drydock:encoding", "linear Rec.709, scene-referred"}});
+				File, Result.SceneLinear, GetChannelNames(4), MakeColorAttributes("linear Rec.709, scene-referred"));
 		});
 	Jobs.push_back(
 		[&Result, File = (Folder / "final.exr").string()]
 		{
 			WriteExr(File, Result.Final.Take(3), GetChannelNames(3),
-				{{"drydock:encoding", GetEncodingName(Result.OutputDevice)}});
+				MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
 		});
 }
 
@@ -115,9 +123,9 @@ void WriteFiles(const FRunResult& Result, const Files::path& Folder)
 	WriteWholeFile(Folder / "run.json", Result.RunJson);
 }
 
-/** Fills the folder; further files are by name. Returns the milliseconds it took. */
-double FillFolder(
-	const FRunResult& Result, const Files::path& Folder, const std::map<std::string, std::string>& Further = {})
+/** Fills the folder, which becomes Target; further files are by name. Returns the milliseconds it took. */
+double FillFolder(const FRunResult& Result, const Files::path& Folder, const Files::path& Target,
+	const std::map<std::string, std::string>& Further = {})
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	WriteFiles(Result, Folder);
@@ -128,7 +136,10 @@ double FillFolder(
 	const double SaveMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	if (Result.Write.count(EOutputKind::Json) > 0)
 	{
-		WriteWholeFile((Folder / "timing.json").string(), MakeTimingJson(Result, SaveMs));
+		const Files::path Config = Files::absolute(Result.Config.File).lexically_normal();
+		const Files::path From = (Files::absolute(Target) / "").lexically_normal();
+		WriteWholeFile((Folder / "timing.json").string(),
+			MakeTimingJson(Result, SaveMs, Config.lexically_relative(From).generic_string()));
 	}
 	return SaveMs;
 }
@@ -148,7 +159,7 @@ const FOutputNames& GetRunOutputNames()
 
 double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further)
 {
-	const double SaveMs = FillFolder(Result, Folder.GetAside());
+	const double SaveMs = FillFolder(Result, Folder.GetAside(), Folder.GetPath());
 	if (Further)
 	{
 		Further(Folder.GetAside(), SaveMs);
@@ -173,7 +184,7 @@ double WriteNewRunFolder(
 	}
 	FAsideFile Aside(Target);
 	MakeFolder(Aside.GetPath());
-	const double SaveMs = FillFolder(Result, Aside.GetPath(), Further);
+	const double SaveMs = FillFolder(Result, Aside.GetPath(), Target, Further);
 	WriteWholeFile(
 		(Aside.GetPath() / RunFolderListName).string(), FFileList::Make(Aside.GetPath(), TimedFiles).GetText());
 	Aside.PutInPlace();

@@ -10,6 +10,7 @@
 #include "RenderGraphCompiled.h"
 #include "Run/NonFiniteSpread.h"
 #include "Run/PassValues.h"
+#include "Run/RunInputs.h"
 #include "SceneFile/SceneChannel.h"
 #include "SceneViewState.h"
 #include "Tonemap/TonemapOutputDevice.h"
@@ -103,6 +104,10 @@ struct FRunResult
 	std::string Precision;                   // "float", "double"
 	std::string Device;                      // that shaders ran on; empty: the CPU
 	std::string Storage;                     // "native", "float32", "float64"
+	std::vector<std::string> Arguments;      // of the command line, as far as they change a bit: ListRunArguments
+	FRunInputs Inputs;                       // where FRunOptions::bRecordInputs asked for them
+	std::vector<FRunVariable> Variables;     // by name
+	bool bHistory = false;                   // it began with what lives on of a frame before
 	std::string BudgetReason;                // what a study chose for this run, and why; empty: nothing was asked
 	int Threads = 0;
 	FOutputKinds Write; // which of the outputs WriteRunOutputs writes

@@ -25,6 +25,35 @@ void CheckRect(const FConfigView& View, const FImageFile& File, FConfigMessages&
 	}
 }
 
+/** A file of several layers, as Movie Render Queue and Blender write them, of which drydock would read no layer but the
+ * picture. */
+void CheckLayers(const FConfig& Config, const FImageFile& File, std::vector<FDiagnostic>& Diagnostics)
+{
+	std::vector<std::string> Unknown;
+	bool bKnown = !Config.Scene.Channels.empty() || !Config.Scene.Textures.empty();
+	for (const FImagePart& Part : File.GetParts())
+	{
+		for (const std::string& Channel : Part.Channels)
+		{
+			const bool bLayer = Channel.find('.') != std::string::npos || &Part != File.GetParts().data();
+			bKnown = bKnown || (bLayer && Contains(GetSceneChannelNames(), Channel));
+			if (bLayer)
+			{
+				Unknown.push_back(Channel);
+			}
+		}
+	}
+	if (!bKnown && !Unknown.empty())
+	{
+		Diagnostics.push_back({.Severity = ESeverity::Warning,
+			.Code = WarnRawRender,
+			.Message = "the scene has layers that no pass knows by these names, such as \"" + Unknown.front() +
+					   "\": the run has no depth and no G-buffer. drydock import " + File.GetPath() +
+					   " makes a scene and a config of the file",
+			.File = File.GetPath()});
+	}
+}
+
 void CheckFile(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
 	const FImageFile File(Config.Resolve(Config.Scene.File.Value), EImageExtent::Display);
@@ -34,6 +63,7 @@ void CheckFile(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 			{.Severity = ESeverity::Note, .Code = NoteDisplayWindow, .Message = Extent, .File = File.GetPath()});
 	}
 	CheckSceneChannels(Config, &File, Diagnostics);
+	CheckLayers(Config, File, Diagnostics);
 	FConfigMessages Messages(Config.File, Diagnostics);
 	for (const FConfigView& View : Config.Views)
 	{

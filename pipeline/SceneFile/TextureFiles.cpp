@@ -2,8 +2,10 @@
 #include "SceneFile/TextureFiles.h"
 
 #include "Config/ConfigReader.h"
+#include "Picture/ColorCube.h"
 #include "Picture/ImageFile.h"
 #include "Picture/ImageFormat.h"
+#include "Picture/Srgb.h"
 #include "PostProcessSettingsReflection.h"
 #include "SettingObjects.h"
 
@@ -21,6 +23,22 @@ std::vector<int> ChooseChannels(const FImageFile& File)
 	const std::vector<int> Named = {File.FindChannel("R"), File.FindChannel("G"), File.FindChannel("B")};
 	const bool bAll = std::all_of(Named.begin(), Named.end(), [](int Channel) { return Channel >= 0; });
 	return bAll ? Named : std::vector<int>{0, 0, 0};
+}
+
+/** A table of codes as the picture that the engine has of it, in linear light as pictures are. */
+FTextureRHIRef LoadColorCube(const std::string& File, const std::string& Name)
+{
+	const FImage Table = MakeLegacyTable(ReadColorCube(File));
+	std::vector<FLinearColor> Colors;
+	for (size_t Index = 0; Index < Table.Values.size(); Index += 3)
+	{
+		const auto Decode = [&](size_t Channel)
+		{
+			return static_cast<float>(DecodeSrgb(Table.Values[Index + Channel]));
+		};
+		Colors.push_back(FLinearColor(Decode(0), Decode(1), Decode(2), 1.0f));
+	}
+	return MakePictureTexture(FIntPoint(Table.Width, Table.Height), Colors, Name);
 }
 
 FTextureRHIRef LoadPicture(const std::string& File, const std::string& Name)
@@ -49,13 +67,14 @@ void CheckTextureFiles(const FConfig& Config, std::vector<FDiagnostic>& Diagnost
 			const UObject* const Object =
 				Field.IsOverridden(Settings.Settings) ? Field.Get(Settings.Settings).Object : nullptr;
 			const std::string Path = GetObjectPath(Object);
-			if (Object == nullptr || !IsImagePath(Path))
+			if (Object == nullptr || !(IsImagePath(Path) || IsColorCubePath(Path)))
 			{
 				continue;
 			}
 			try
 			{
-				const FImageFile Header(Config.Resolve(Path));
+				IsColorCubePath(Path) ? (void)ReadColorCube(Config.Resolve(Path))
+									  : (void)FImageFile(Config.Resolve(Path));
 			}
 			catch (const FError& Error)
 			{
@@ -76,7 +95,9 @@ FTextureLoader MakeTextureLoader(const FConfig& Config)
 {
 	return [Config](const std::string& Path) -> FTextureRHIRef
 	{
-		return IsImagePath(Path) ? LoadPicture(Config.Resolve(Path), Path) : nullptr;
+		return IsColorCubePath(Path) ? LoadColorCube(Config.Resolve(Path), Path)
+			   : IsImagePath(Path)   ? LoadPicture(Config.Resolve(Path), Path)
+									 : nullptr;
 	};
 }
 

@@ -7,7 +7,7 @@
 #include "SceneFile/SceneCamera.h"
 #include "Sequence/SequenceErrors.h"
 #include "Sequence/SequenceFolder.h"
-#include "Sequence/SequenceInputs.h"
+#include "Run/RunInputs.h"
 #include "Sequence/SequenceJson.h"
 #include "Sequence/ViewStateFile.h"
 #include "Text/Fingerprint.h"
@@ -117,9 +117,9 @@ private:
 	}
 
 	/** Frames that lead in count by their contents: nothing of them is written. */
-	FSequenceInputs FindInputs() const
+	FRunInputs FindInputs() const
 	{
-		FSequenceInputs Found = FindSequenceInputs(Options.Run, Session.GetConfig());
+		FRunInputs Found = FindSequenceInputs(Options.Run, Session.GetConfig());
 		for (const FSequenceFrame& Frame : Lead)
 		{
 			Found["file " + Frame.Path] = FingerprintFile(Frame.Path);
@@ -436,7 +436,7 @@ private:
 	const std::vector<FSequenceFrame> Frames;
 	const std::vector<FSequenceFrame> Before;
 	const std::vector<FSequenceFrame> Lead; // the last of Before
-	const FSequenceInputs Inputs;
+	const FRunInputs Inputs;
 	FSequenceFolder Folder;
 	std::vector<FViewHistory> History;
 	std::string LastState;   // its fingerprint; empty before the first frame

@@ -114,7 +114,7 @@ void WriteValue(FJsonWriter& Writer, const FJsonValue& Value)
 	}
 }
 
-void WriteHead(FJsonWriter& Writer, const FConfig& Config, const FSequenceInputs& Inputs, bool bComplete)
+void WriteHead(FJsonWriter& Writer, const FConfig& Config, const FRunInputs& Inputs, bool bComplete)
 {
 	Writer.Members({{"version", GetVersion()}, {"config", Config.File}, {"scene", Config.Scene.Sequence},
 		{"complete", bComplete}});
@@ -238,7 +238,7 @@ FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& Fi
 	return Record;
 }
 
-std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs)
+std::string MakeSequenceHead(const FConfig& Config, const FRunInputs& Inputs)
 {
 	FJsonWriter Writer('{');
 	WriteHead(Writer, Config, Inputs, false);
@@ -246,7 +246,7 @@ std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Input
 }
 
 std::string MakeSequenceJson(
-	const FConfig& Config, const FSequenceInputs& Inputs, const FSequenceFolder& Folder, const std::vector<int>& Frames)
+	const FConfig& Config, const FRunInputs& Inputs, const FSequenceFolder& Folder, const std::vector<int>& Frames)
 {
 	const FSettingTexts Varying = FindVarying(Folder, Frames);
 	FJsonWriter Writer('{');
@@ -282,10 +282,10 @@ bool IsSequenceComplete(const std::string& SequenceJson, const std::string& File
 		[](const FJsonValue& Record, int Frame) { return Record.GetNumber("frame", -1.0) == Frame; });
 }
 
-FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File)
+FRunInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File)
 {
 	const FJsonValue Root = Parse(SequenceJson, File, "sequence.json");
-	FSequenceInputs Inputs;
+	FRunInputs Inputs;
 	if (const FJsonValue* Found = Root.Find("inputs"))
 	{
 		for (const FJsonMember& Member : Found->Members)

@@ -4,7 +4,7 @@
 
 #include "Run/Run.h"
 #include "Sequence/SequenceFolder.h"
-#include "Sequence/SequenceInputs.h"
+#include "Run/RunInputs.h"
 
 #include <string>
 #include <vector>
@@ -38,17 +38,17 @@ DRYDOCK_API std::string MakeFrameJson(const FRunResult& Result, const FFrameReco
 DRYDOCK_API FFrameRecord ReadFrameRecord(const std::string& FrameJson, const std::string& File);
 
 /** The sequence.json before the first frame: {version, config, scene, complete: false, inputs}. */
-DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FSequenceInputs& Inputs);
+DRYDOCK_API std::string MakeSequenceHead(const FConfig& Config, const FRunInputs& Inputs);
 
 /** Merges the files of all frames: the head, complete, and frames, each with the settings that vary. */
-DRYDOCK_API std::string MakeSequenceJson(const FConfig& Config, const FSequenceInputs& Inputs,
-	const FSequenceFolder& Folder, const std::vector<int>& Frames);
+DRYDOCK_API std::string MakeSequenceJson(
+	const FConfig& Config, const FRunInputs& Inputs, const FSequenceFolder& Folder, const std::vector<int>& Frames);
 
 /** Whether it is that of exactly these frames, all of them there. Throws FError (exit code 3) when it is none. */
 DRYDOCK_API bool IsSequenceComplete(
 	const std::string& SequenceJson, const std::string& File, const std::vector<int>& Frames);
 
 /** The inputs that a sequence.json was made from. Throws FError (exit code 3) when the text is not a sequence.json. */
-DRYDOCK_API FSequenceInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File);
+DRYDOCK_API FRunInputs ReadSequenceInputs(const std::string& SequenceJson, const std::string& File);
 
 } // namespace Drydock

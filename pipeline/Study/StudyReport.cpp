@@ -29,7 +29,8 @@ std::vector<FTextColumn> GetColumns(const std::string& Metric)
 		return FTextColumn{Number, Metric == Name ? 0 : LeaveOut};
 	};
 	return {{ETextColumn::Name}, {Number}, {Number, 4}, {Number, 5}, OfError("max", 6), OfError("rms", 1),
-		OfError("relative", 7), OfError("psnr", 8), OfError("ssim", 9), {Number, 2}, {Number, 3}, {ETextColumn::Text}};
+		OfError("relative", 7), OfError("psnr", 8), OfError("ssim", 9), OfError("flip", 10), {Number, 2}, {Number, 3},
+		{ETextColumn::Text}};
 }
 
 std::string DescribeRank(const FStudyResult& Result, const FStudyVariant& Variant)
@@ -59,7 +60,7 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 {
 	if (!Variant.bRan)
 	{
-		return {Variant.Label, "", "", "", "", "", "", "", "",
+		return {Variant.Label, "", "", "", "", "", "", "", "", "",
 			Variant.Taps > 0.0 ? fmt::format("{:.0f}", Variant.Taps) : "", "", DescribeRank(Result, Variant)};
 	}
 	const FImageError& Error = Variant.Error;
@@ -67,7 +68,7 @@ FRow MakeRow(const FStudyResult& Result, const FStudyJob& Job, const FStudyVaria
 	return {Variant.Label, fmt::format("{:.2f}", Variant.Time.Median),
 		fmt::format("{:.2f}", Variant.Time.High - Variant.Time.Low), fmt::format("{:.3g}", Times),
 		fmt::format("{:.3g}", Error.Max), fmt::format("{:.3g}", Error.Rms), fmt::format("{:.3g}", Error.Relative),
-		fmt::format("{:.1f}", Error.Psnr), fmt::format("{:.5f}", Error.Ssim),
+		fmt::format("{:.1f}", Error.Psnr), fmt::format("{:.5f}", Error.Ssim), fmt::format("{:.4f}", Error.Flip),
 		std::isnan(Variant.Taps) ? "" : fmt::format("{:.1f}", Variant.Taps), fmt::format("{:.0f}", Variant.Bytes),
 		DescribeRank(Result, Variant)};
 }
@@ -172,6 +173,7 @@ std::string GetErrorTitle(const std::string& Metric)
 		   : Metric == "max"      ? "largest error"
 		   : Metric == "relative" ? "relative error"
 		   : Metric == "psnr"     ? "10^(-PSNR/20)"
+		   : Metric == "flip"     ? "FLIP"
 								  : "1 - SSIM";
 }
 
@@ -182,7 +184,7 @@ std::string MakeStudyTable(const FStudyResult& Result, int Width)
 	for (const FStudyJob& Job : Result.Jobs)
 	{
 		std::vector<FRow> Rows = {{"variant", "CPU ms", "spread", "x ref", "max", "rms", "relative", "PSNR", "SSIM",
-			"taps/px", "bytes/px", "front of " + Result.GetMetric() + " and time"}};
+			"FLIP", "taps/px", "bytes/px", "front of " + Result.GetMetric() + " and time"}};
 		for (const size_t Index : Job.Variants)
 		{
 			Rows.push_back(MakeRow(Result, Job, Result.Variants[Index]));

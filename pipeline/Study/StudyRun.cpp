@@ -264,7 +264,7 @@ private:
 				const FImage Image = Stretch(Measured.Image, Result.Width, Result.Height);
 				FImageErrorOptions ErrorOptions{Measured.Encoding, std::min(3, Image.NumChannels)};
 				Variant.Error = CompareImages(CutOutRegion(Image, Study.Region), ReferencePart, ErrorOptions);
-				ErrorOptions.bSsim = false;
+				ErrorOptions.bPerceived = false;
 				Variant.RelativeWithBorder = Study.Region ? CompareImages(Image, Reference.Image, ErrorOptions).Relative
 														  : Variant.Error.Relative;
 				Variant.Taps = Measured.Taps;

@@ -34,6 +34,7 @@ enum EConfigError
 	WarnIneffectiveValue = 1022,     // a console variable that nothing reads, a value without effect, a set kept out
 
 	NoteBudgetWithoutChoice = 1023, // a budget, and no study to choose by
+	WarnInputsChanged = 1026,       // what a run depended on is different when it is repeated
 
 	WarnNoLocation = 1041,        // bounded volumes, and no location for the view
 	ErrorNothingFromScene = 1042, // "fromScene", and no scene or none that suggests anything
@@ -58,6 +59,8 @@ enum EConfigError
 	ErrorImageTooLarge = 5005,  // larger than any frame
 	ErrorImagesDiffer = 5006,   // two images of different kinds or sizes cannot be compared
 	ErrorStackTooSmall = 5009,  // ulimit -s
+	ErrorNotBlessed = 5036,     // a baseline without a record, or of which a file is not the recorded one
+	ErrorColorCube = 5035,      // not a .cube file, or not a table of three dimensions
 
 	// DD6: shaders
 	WarnDebug = 6060, // --debug-shaders: a shader that no debugger can be given, or no debugger

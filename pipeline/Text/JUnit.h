@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Text/Sarif.h"
 
 #include <string>
 #include <vector>
@@ -24,12 +25,14 @@ struct FJUnitCase
 	std::string Message = {}; // why it did not pass; its first line stands in the overview
 	std::string Output = {};  // what else there is to know
 	double Seconds = 0.0;
+	std::string Rule = {}; // of the finding that a failed case is; empty: its messages are the findings
 };
 
 struct FJUnitSuite
 {
 	std::string Name; // of the config; also the class of its cases
 	std::vector<FJUnitCase> Cases = {};
+	std::vector<FFinding> Findings = {}; // for SARIF: what is not printed as a message
 };
 
 /** The document, as the schemas of Jenkins and Surefire have it. Characters that XML cannot hold become question marks.

@@ -8,12 +8,12 @@
 #include "RangeTools.h"
 #include "RegularFile.h"
 #include "Text/ConfigErrors.h"
+#include "Text/JsonMistake.h"
 #include "Text/JsonScan.h"
 #include "Text/LimitErrors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <unordered_map>
 
@@ -104,11 +104,15 @@ public:
 	{
 		// "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while parsing ...": the place
 		// is reported separately.
-		std::string Message = Exception.what();
-		const size_t Place = Message.find("column ");
-		const size_t Colon = Place == std::string::npos ? std::string::npos : Message.find(": ", Place);
-		Message = Colon == std::string::npos ? Message : Message.substr(Colon + 2);
-		Report(ErrorJsonSyntax, Positions.Find(FindTokenBegin(Position)), CurrentPointer(), Message);
+		FJsonMistake Mistake = DescribeJsonMistake(Scan.Text, Position == 0 ? 0 : Position - 1);
+		if (Mistake.Message.empty())
+		{
+			Mistake.Message = Exception.what();
+			const size_t Place = Mistake.Message.find("column ");
+			const size_t Colon = Place == std::string::npos ? std::string::npos : Mistake.Message.find(": ", Place);
+			Mistake.Message = Colon == std::string::npos ? Mistake.Message : Mistake.Message.substr(Colon + 2);
+		}
+		Report(ErrorJsonSyntax, Positions.Find(Mistake.Offset), CurrentPointer(), Mistake.Message);
 		return false;
 	}
 
@@ -141,19 +145,6 @@ private:
 			(Frame.Value.Type == EJsonType::Array ? std::to_string(Frame.Value.Elements.size())
 												  : EscapePointer(Frame.Key.substr(0, MaxPointer)));
 		return Pointer.size() <= MaxPointer ? Pointer : Parent.ends_with("/...") ? Parent : Parent + "/...";
-	}
-
-	/** Finds the begin of the token that the parser stopped at. NumRead counts the bytes up to the token's end. */
-	size_t FindTokenBegin(size_t NumRead) const
-	{
-		const size_t Last = NumRead == 0 ? 0 : NumRead - 1;
-		if (Last >= Scan.Text.size() || std::strchr("{}[]:,", Scan.Text[Last]) != nullptr)
-		{
-			return Last;
-		}
-		const auto After = std::upper_bound(Scan.Tokens.begin(), Scan.Tokens.end(), Last,
-			[](size_t Offset, const FJsonToken& Token) { return Offset < Token.Offset; });
-		return After == Scan.Tokens.begin() ? Last : std::prev(After)->Offset;
 	}
 
 	std::string CurrentPointer() const { return Frames.empty() ? "" : Frames.back().Value.Pointer; }

@@ -16,11 +16,6 @@ namespace Drydock
 namespace
 {
 
-bool IsBareCharacter(char Character)
-{
-	return std::isalnum(static_cast<unsigned char>(Character)) || std::strchr("+-._", Character) != nullptr;
-}
-
 bool IsNonFiniteNumber(const std::string& Token)
 {
 	const size_t Sign = Token[0] == '-' || Token[0] == '+' ? 1 : 0;
@@ -39,7 +34,14 @@ bool IsNonFiniteNumber(const std::string& Token)
 	return End == Token.c_str() + Token.size() && std::isinf(Number);
 }
 
-/** Offset behind the string literal that begins at Begin. */
+} // namespace
+
+bool IsBareCharacter(char Character)
+{
+	return Character != '\0' &&
+		   (std::isalnum(static_cast<unsigned char>(Character)) || std::strchr("+-._", Character) != nullptr);
+}
+
 size_t SkipString(const std::string& Text, size_t Begin)
 {
 	size_t At = Begin + 1;
@@ -50,7 +52,6 @@ size_t SkipString(const std::string& Text, size_t Begin)
 	return std::min(At + 1, Text.size());
 }
 
-/** Offset behind the comment that begins at Begin, or Begin when there is none. */
 size_t SkipComment(const std::string& Text, size_t Begin)
 {
 	if (Text.compare(Begin, 2, "//") == 0)
@@ -64,8 +65,6 @@ size_t SkipComment(const std::string& Text, size_t Begin)
 	}
 	return Begin;
 }
-
-} // namespace
 
 FJsonScan ScanJson(const std::string& Text, size_t MaxTokens)
 {

@@ -25,6 +25,15 @@ struct FJsonScan
 	std::string Text;
 };
 
+/** Part of a number or a word without quotes. */
+bool IsBareCharacter(char Character);
+
+/** Offset behind the string literal that begins at Begin. */
+size_t SkipString(const std::string& Text, size_t Begin);
+
+/** Offset behind the comment that begins at Begin, or Begin when there is none. */
+size_t SkipComment(const std::string& Text, size_t Begin);
+
 /** Stops after MaxTokens keys and values: those behind are not needed. */
 FJsonScan ScanJson(const std::string& Text, size_t MaxTokens);
 

@@ -314,7 +314,7 @@ std::string FDebugEmitter::MakeKernel() const
 		   "__stop_drydock_locals[];\n"
 		   "extern \"C\" __attribute__((visibility(\"default\"))) void DrydockDebugKernel("
 		   "Drydock::FDebugKernelArgs& Run)\n{\n\tDrydockRun = &Run;\n\tDrydockWords = Run.Words;\n"
-		   "\tDrydockPixel = {Run.Position[0], Run.Position[1], Run.Position[2]};\n"
+		   "\tDrydockPixel = {Run.Position[0], Run.Position[1], Run.Position[2]};\n\tDrydockSetPixel Set;\n"
 		   "\tDrydockFirstLocal = 0;\n"
 		   "\t__builtin_memset(__start_drydock_locals, 0, __stop_drydock_locals - __start_drydock_locals);\n" +
 		   ConstantReads + "\t" + Found->second.Name + "();\n}\n";

@@ -45,13 +45,22 @@ public:
 		Logs = Group.Record(Args, Id, MaxSteps);
 	}
 
-	/** Runs the group of one thread, of a quad for this pixel alone, and prepares it. */
-	void RunFor(
-		TSpirvThread<Real>& Thread, const FKernelArgs& Args, const std::array<int32_t, 3>& Position, uint64_t MaxSteps)
+	/** Runs the group of one thread, of a quad for this pixel alone, and prepares it. Shared, if not
+	 * null, gets who wrote the groupshared memory that the thread reads. */
+	void RunFor(TSpirvThread<Real>& Thread, const FKernelArgs& Args, const std::array<int32_t, 3>& Position,
+		uint64_t MaxSteps, std::vector<FSharedRead>* Shared = nullptr)
 	{
+		FRaceFinder Finder;
+		Finder.Follow(GetIndexInGroup(Shader, Position));
+		SetRaceFinder(Shared ? &Finder : nullptr);
 		const FGroupOfThreads Own = SortByGroups(Shader, {Position}).front();
 		Run(Args, Own.GroupId, MaxSteps, 1u << (GetIndexInGroup(Shader, Position) & 31));
 		Prepare(Thread, Position);
+		SetRaceFinder(nullptr);
+		if (Shared)
+		{
+			*Shared = Finder.GetFollowed();
+		}
 	}
 
 	/** Thread, when it is run now, sees what the thread at that place saw in the group that ran last; it stores

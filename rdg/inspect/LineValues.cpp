@@ -7,9 +7,12 @@
 #include "TextTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace Drydock
 {
@@ -292,6 +295,108 @@ std::optional<FLineValues> CollectLineValues(FInspectedShader& Shader, const FBo
 	}
 	Runs.Run([&](size_t Piece) -> IThreadWatcher& { return Watchers[Piece]; });
 	return Values;
+}
+
+namespace
+{
+
+class FRangeWatcher final : public IThreadWatcher
+{
+public:
+	FRangeWatcher(const FSpirvProgram& InProgram, const FAuthorsNames& InNames,
+		const std::map<const FSpirvStep*, std::vector<FLineStep>>& InSteps)
+		: Program(InProgram)
+		, Names(InNames)
+		, Steps(InSteps)
+	{
+	}
+
+	void OnStep(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
+	{
+		const auto Found = Steps.find(&Step);
+		for (const FLineStep& Line : Found == Steps.end() ? std::vector<FLineStep>() : Found->second)
+		{
+			const uint32_t Word = Program.Args[Step.FirstArg + Line.Operand];
+			const uint32_t First = Line.bVariable ? Names.FindWords(Thread, Word) : Word;
+			const uint32_t Size = First == GNoSpirvWord ? 0 : Program.Module.GetType(Line.Type).NumScalars;
+			FLineRange& Range = Ranges[{Step.I->File, Line.Line, Line.Name}];
+			Range.Times += Size > 0;
+			for (uint32_t i = 0; i < Size; ++i)
+			{
+				const double Value = Thread.GetNumber(First + i, Program.Module.GetScalarKind(Line.Type, i));
+				const bool bFinite = std::isfinite(Value);
+				Range.NotFinite += !bFinite;
+				Range.Least = bFinite ? std::min(Range.Least, Value) : Range.Least;
+				Range.Most = bFinite ? std::max(Range.Most, Value) : Range.Most;
+			}
+		}
+	}
+
+	struct FNoRange : FLineRange
+	{
+		FNoRange()
+		{
+			Least = std::numeric_limits<double>::infinity();
+			Most = -Least;
+		}
+	};
+	std::map<std::tuple<uint32_t, int, std::string>, FNoRange> Ranges;
+
+private:
+	const FSpirvProgram& Program;
+	const FAuthorsNames& Names;
+	const std::map<const FSpirvStep*, std::vector<FLineStep>>& Steps;
+};
+
+} // namespace
+
+std::vector<FLineRange> CollectLineRanges(FInspectedShader& Shader, const FBoundShader& Bound, const FKernelArgs& Args,
+	const FKernelTile& Whole, const std::vector<std::array<int32_t, 3>>& Threads)
+{
+	const FSpirvProgram& Program = Shader.GetProgram();
+	std::map<const FSpirvStep*, std::vector<FLineStep>> Steps;
+	for (const std::string& File : Shader.GetModule().Files)
+	{
+		const bool bAuthors = File.ends_with(".usf") || !File.starts_with("/Engine/");
+		for (const FLineStep& Step : bAuthors ? FLineSteps(Shader, File).Steps : std::vector<FLineStep>())
+		{
+			Steps[&Program.Steps[Step.Step]].push_back(Step);
+		}
+	}
+	for (FSpirvStep& Step : Shader.GetProgram().Steps)
+	{
+		Step.bHook = Steps.contains(&Step);
+	}
+	const FThreadRuns Runs(Shader, Bound, Args, Threads.empty() ? ListThreads(Whole) : Threads);
+	const FAuthorsNames Names(Program);
+	std::deque<FRangeWatcher> Watchers;
+	for (size_t Piece = 0; Piece < Runs.GetNumPieces(); ++Piece)
+	{
+		Watchers.emplace_back(Program, Names, Steps);
+	}
+	Runs.Run([&](size_t Piece) -> IThreadWatcher& { return Watchers[Piece]; });
+	std::map<std::tuple<uint32_t, int, std::string>, FRangeWatcher::FNoRange> All;
+	for (const FRangeWatcher& Watcher : Watchers)
+	{
+		for (const auto& [Key, Range] : Watcher.Ranges)
+		{
+			FLineRange& Sum = All[Key];
+			Sum.Least = std::min(Sum.Least, Range.Least);
+			Sum.Most = std::max(Sum.Most, Range.Most);
+			Sum.NotFinite += Range.NotFinite;
+			Sum.Times += Range.Times;
+		}
+	}
+	std::vector<FLineRange> Ranges;
+	for (auto& [Key, Range] : All)
+	{
+		Range.File = Shader.GetModule().Files.at(std::get<0>(Key));
+		Range.Line = std::get<1>(Key);
+		Range.Variable = std::get<2>(Key);
+		Range.Source = Shader.GetTrimmedLine(Range.File, Range.Line);
+		Ranges.push_back(Range);
+	}
+	return Ranges;
 }
 
 } // namespace Drydock

@@ -33,6 +33,24 @@ struct FLineValues
 	std::vector<uint8_t> bReached; // by thread: 1 where the line ran
 };
 
+/** The numbers that a line of a shader gives a variable, in all threads that were looked at. */
+struct FLineRange
+{
+	std::string File; // virtual
+	int Line = 0;
+	std::string Variable;
+	std::string Source; // the line, trimmed
+	double Least = 0;   // of all its numbers, what is finite
+	double Most = 0;
+	uint64_t NotFinite = 0;
+	uint64_t Times = 0; // that the line gave it
+};
+
+/** Every variable that a line of the shader stores, returns or writes to a texture or buffer, by file and line. Files
+ * under /Engine/Public and headers of /Engine are left out. Threads: of Whole; empty: all. */
+DRYDOCK_API std::vector<FLineRange> CollectLineRanges(FInspectedShader& Shader, const FBoundShader& Bound,
+	const FKernelArgs& Args, const FKernelTile& Whole, const std::vector<std::array<int32_t, 3>>& Threads);
+
 /** Whether a virtual path is the file that a user names. */
 DRYDOCK_API bool IsFileNamed(const std::string& Path, const std::string& Name);
 

@@ -4,6 +4,7 @@
 #include "Footprint.h"
 #include "SpirvModule.h"
 
+#include <array>
 #include <string>
 
 namespace Drydock
@@ -38,6 +39,9 @@ struct FTraceEvent
 	double Level = 0;                    // Sample
 	std::vector<int64_t> Texel;          // Load, Store: x, y, z, mip
 	std::vector<FFootprintTexel> Texels; // Sample
+	std::array<int32_t, 3> Writer = {};  // Load of groupshared memory: the thread that had put it there
+	int WriterLine = 0;                  // and its line; 0: another load, or nothing wrote the memory
+	bool bShared = false;                // it is one
 };
 
 /** A stay on one line: a line in a loop comes once for every time. */

@@ -7,13 +7,6 @@
 namespace Drydock
 {
 
-namespace
-{
-
-constexpr size_t Margin = 64; // which kernels may read on either side of a texture
-
-} // namespace
-
 FSandbox::FSandbox(const FKernelArgs& InArgs, const FShaderReflection& Reflection)
 	: Args(InArgs)
 	, RWTextures(InArgs.RWTextures, InArgs.RWTextures + Reflection.RWTextures.size())
@@ -45,9 +38,9 @@ void FSandbox::CopyTexture(FKernelTexture& Texture)
 		FKernelMip& Mip = Mips.back()[size_t(Index)];
 		Mip = Texture.Mips[Index];
 		const size_t Bytes = size_t(Mip.SizeZ - 1) * size_t(Mip.SlicePitch) + size_t(Mip.SizeY) * size_t(Mip.RowPitch);
-		Memory.push_back(std::make_unique<uint8_t[]>(Bytes + 2 * Margin));
-		std::memcpy(Memory.back().get() + Margin, Mip.Data, Bytes);
-		Mip.Data = Memory.back().get() + Margin;
+		Memory.push_back(std::make_unique<uint8_t[]>(Bytes + 2 * TextureMargin));
+		std::memcpy(Memory.back().get() + TextureMargin, Mip.Data, Bytes);
+		Mip.Data = Memory.back().get() + TextureMargin;
 	}
 	Texture.Mips = Mips.back().get();
 }

@@ -9,6 +9,9 @@
 namespace Drydock
 {
 
+/** Bytes that kernels may read on either side of a texture. */
+inline constexpr size_t TextureMargin = 64;
+
 class DRYDOCK_API FSandbox : private FNoncopyable
 {
 public:

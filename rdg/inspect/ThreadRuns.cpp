@@ -52,6 +52,37 @@ std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole)
 	return Threads;
 }
 
+std::vector<std::array<int32_t, 3>> SampleThreads(
+	const FKernelTile& Whole, const FShaderReflection& Shader, size_t Most)
+{
+	constexpr int32_t Pixels[3] = {8, 8, 1};
+	const int32_t* const Size = Shader.Stage == EShaderStage::Compute ? Shader.GroupSize : Pixels;
+	const size_t Total =
+		size_t(Whole.MaxX - Whole.MinX) * size_t(Whole.MaxY - Whole.MinY) * size_t(Whole.MaxZ - Whole.MinZ);
+	std::vector<std::array<int32_t, 3>> Threads;
+	const size_t Every = (Total + Most - 1) / std::max<size_t>(1, Most);
+	size_t Row = 0;
+	for (int32_t z = Whole.MinZ; Every > 1 && z < Whole.MaxZ; z += Size[2])
+	{
+		for (int32_t y = Whole.MinY; y < Whole.MaxY; y += Size[1], ++Row)
+		{
+			size_t Block = Row * (Every / 2 + 1); // rows begin at different places
+			for (int32_t x = Whole.MinX; x < Whole.MaxX; x += Size[0], ++Block)
+			{
+				const FKernelTile Tile = {x, y, z, std::min(x + Size[0], Whole.MaxX), std::min(y + Size[1], Whole.MaxY),
+					std::min(z + Size[2], Whole.MaxZ)};
+				const bool bLast = Tile.MaxX == Whole.MaxX && Tile.MaxY == Whole.MaxY && Tile.MaxZ == Whole.MaxZ;
+				if (Block % Every == 0 || bLast)
+				{
+					const std::vector<std::array<int32_t, 3>> Inside = ListThreads(Tile);
+					Threads.insert(Threads.end(), Inside.begin(), Inside.end());
+				}
+			}
+		}
+	}
+	return Threads;
+}
+
 FThreadRuns::FThreadRuns(FInspectedShader& InShader, const FBoundShader& InBound, const FKernelArgs& InArgs,
 	std::vector<std::array<int32_t, 3>> InThreads)
 	: Shader(InShader)

@@ -28,6 +28,11 @@ public:
 /** x first, then y, then z. */
 DRYDOCK_API std::vector<std::array<int32_t, 3>> ListThreads(const FKernelTile& Whole);
 
+/** At most about Most of them, in whole blocks of GroupSize (of pixels, 8 x 8) that are spread evenly, the first and
+ * the last block among them; empty: there are no more than that. */
+DRYDOCK_API std::vector<std::array<int32_t, 3>> SampleThreads(
+	const FKernelTile& Whole, const FShaderReflection& Shader, size_t Most);
+
 /** Threads in pieces that may run side by side. If threads see the stores of others, there is one piece, in order. */
 class DRYDOCK_API FThreadRuns
 {

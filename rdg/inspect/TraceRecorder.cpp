@@ -31,9 +31,14 @@ public:
 		Functions.push_back(FindName(Module.EntryFunction));
 	}
 
+	/** Numbers that the thread will read from groupshared memory. */
+	void SetShared(std::vector<FSharedRead> InShared) { Shared = std::move(InShared); }
+
 	void OnStep(const FSpirvThreadView& Thread, const FSpirvStep& Step) override
 	{
 		++Trace.Steps;
+		const size_t FirstShared = NextShared;
+		NextShared += FindShared(Thread, Step) < Module.Variables.size() ? Step.Size : 0;
 		if (Functions.back().empty() && !Module.Functions.empty())
 		{
 			return; // around the author's entry point
@@ -50,6 +55,7 @@ public:
 			break;
 		case OpLoad:
 			AddBufferLoad(Thread, Step, *Line);
+			AddSharedLoad(Thread, Step, *Line, FirstShared);
 			break;
 		case OpImageSampleImplicitLod:
 		case OpImageSampleExplicitLod:
@@ -217,6 +223,51 @@ private:
 			{int64_t(Thread.GetBits(Pointer + 1))}, {}});
 	}
 
+	/** The groupshared variable that a load is of; else past the last. */
+	size_t FindShared(const FSpirvThreadView& Thread, const FSpirvStep& Step) const
+	{
+		size_t Found = Module.Variables.size();
+		for (size_t i = 0; Step.I->Op == OpLoad && Step.Place == ~0u && i < Module.Variables.size(); ++i)
+		{
+			const uint32_t At = Thread.GetBits(WordOf(Step, 0));
+			const bool bInside = At - Program.Memory[i].First < Program.Memory[i].Size;
+			Found = bInside && Module.Variables[i].Storage == StorageWorkgroup ? i : Found;
+		}
+		return Found;
+	}
+
+	void AddSharedLoad(const FSpirvThreadView& Thread, const FSpirvStep& Step, FTraceLine& Line, size_t First)
+	{
+		const size_t Variable = FindShared(Thread, Step);
+		if (Variable == Module.Variables.size() || First >= Shared.size())
+		{
+			return;
+		}
+		FTraceEvent Event;
+		Event.Kind = ETraceEvent::Load;
+		Event.bShared = true;
+		Event.Name = Module.Variables[Variable].Name;
+		Event.Value = Read(Thread, Step.I->Type, Step.To);
+		const FSpirvType& Type = Module.GetType(Module.Variables[Variable].Type);
+		if (Type.Kind == ESpirvType::Array)
+		{
+			const uint32_t Size = std::max(1u, Module.GetType(Type.Element).NumScalars);
+			Event.Texel = {(Thread.GetBits(WordOf(Step, 0)) - Program.Memory[Variable].First) / Size};
+		}
+		if (const FSpirvStep* const Writer = Shared[First].Writer)
+		{
+			const int32_t* const At = Thread.GetPosition();
+			std::array<int32_t, 3> GroupId;
+			for (size_t Axis = 0; Axis < 3; ++Axis)
+			{
+				GroupId[Axis] = At[Axis] / int32_t(Module.LocalSize[Axis]);
+			}
+			Event.Writer = GetThreadPosition(Module, GroupId, Shared[First].Thread);
+			Event.WriterLine = Writer->I->Line;
+		}
+		Line.Events.push_back(std::move(Event));
+	}
+
 	static double GetGradientLevel(const FKernelTexture& Texture, const FFootprintPlace& Place, std::vector<double> DX,
 		std::vector<double> DY, uint32_t Axes)
 	{
@@ -301,7 +352,9 @@ private:
 	const FKernelArgs& Args;
 	FPixelTrace& Trace;
 	std::vector<std::string> Functions; // that have not returned
-	size_t EarlierEvents = 0;           // of lines before the last
+	std::vector<FSharedRead> Shared;
+	size_t NextShared = 0;
+	size_t EarlierEvents = 0; // of lines before the last
 	uint32_t LastFile = 0;
 	bool bNewLine = false;
 };
@@ -317,7 +370,9 @@ FPixelTrace Trace(FInspectedShader& Shader, const FKernelArgs& Args, const int32
 	{
 		// Groups that ran before it are not run again: where groups go in order, theirs is not seen.
 		Runs.emplace(Shader);
-		Runs->RunFor(Thread, Args, {Position[0], Position[1], Position[2]}, MaxSteps);
+		std::vector<FSharedRead> Shared;
+		Runs->RunFor(Thread, Args, {Position[0], Position[1], Position[2]}, MaxSteps, &Shared);
+		Recorder.SetShared(std::move(Shared));
 	}
 	Thread.SetObserver(&Recorder, true);
 	Thread.Run(Args, Position, nullptr, MaxSteps);

@@ -166,6 +166,10 @@ void FVulkanShader::CheckDevice(const FShaderCompileRequest& Request) const
 	{
 		throw FVulkanError("render targets of integers are not given to it");
 	}
+	if (Kernel.IntegerInterpolants || Kernel.bWritesDepth)
+	{
+		throw FVulkanError("integers between the stages, and depth that a pixel shader writes, are not given to it");
+	}
 	if (uint32_t(Kernel.NumTargets) > Limits.maxColorAttachments)
 	{
 		throw FVulkanError("it has " + std::to_string(Limits.maxColorAttachments) + " render targets");

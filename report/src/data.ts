@@ -68,13 +68,23 @@ export interface Effect {
 }
 
 export interface Message {
+	severity: "warning" | "note";
 	code: string;
 	message: string;
 	where: string;
 }
 
+/** Something that differs in how two runs were made. */
+export interface Difference {
+	kind: "setting" | "variable" | "input" | "other" | "effect" | "pass";
+	name: string;
+	a: string; // empty: there is none
+	b: string;
+}
+
 export interface Run {
 	version: string;
+	variables?: { name: string; value: string; setBy: string }[];
 	config: string;
 	engine: string;
 	precision: string;
@@ -115,6 +125,7 @@ export interface Cost {
 export interface Explain {
 	measured: boolean;
 	effects: { name: string; active: boolean; passes: number; culled: number; ms: number; megabytes: number }[];
+	plugins?: { name: string; passes: number; culled: number; ms: number; megabytes: number }[];
 	cost: Cost;
 	withoutSkipping: Cost;
 }
@@ -159,6 +170,7 @@ export interface PassDetail {
 	index: number;
 	shaderFile: string;
 	permutations?: Record<string, string>[];
+	bound?: string[]; // parameters whose resources the shader uses; absent where that is not known
 	parameters: { name: string; type: string; value: string }[];
 }
 
@@ -214,7 +226,7 @@ export interface Report {
 		passes: { pass: string; pixels: number; of: number }[];
 		final?: { pixels: number; changed: number; white: number; notFinite: number };
 	};
-	previous?: { written: string; run: Run; timing?: Timing };
+	previous?: { written: string; differences: Difference[]; run: Run; timing?: Timing };
 	pictures: PictureData[];
 	thumbnailsLeftOut: number;
 }

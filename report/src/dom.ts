@@ -32,18 +32,31 @@ export function section(id: string, title: string, note: string, ...children: Ch
 		...children);
 }
 
+/** A phone's width. */
+export const narrow = matchMedia("(max-width: 760px)");
+
+/** Folded in a narrow window, to be opened; in a wide one its parts stand there without a fold. */
+export function fold(title: string, ...children: Child[]): HTMLElement {
+	const details = el<HTMLDetailsElement>("details", { class: "fold" }, el("summary", {}, title), ...children);
+	const follow = () => (details.open = !narrow.matches);
+	narrow.addEventListener("change", follow);
+	follow();
+	return details;
+}
+
 export interface Column<T> {
 	title: string;
 	number?: boolean;
+	wide?: boolean; // left out where a row is a card
 	cell: (row: T) => Child | Child[];
 }
 
 export function table<T>(columns: Column<T>[], rows: T[], attributes: (row: T) => Record<string, Value> = () => ({})): HTMLElement {
-	const css = (column: Column<T>) => (column.number ? { class: "number" } : {});
+	const css = (column: Column<T>) => ({ class: [column.number ? "number" : "", column.wide ? "wide" : ""].join(" ").trim() || undefined });
 	return el("div", { class: "table" }, el("table", {},
 		el("thead", {}, el("tr", {}, columns.map((column) => el("th", { scope: "col", ...css(column) }, column.title)))),
 		el("tbody", {}, rows.map((row) => el("tr", attributes(row),
-			columns.map((column) => el("td", css(column), ...[column.cell(row)].flat())))))));
+			columns.map((column) => el("td", { ...css(column), "data-title": column.title }, ...[column.cell(row)].flat())))))));
 }
 
 export function installTips(): void {
@@ -64,6 +77,7 @@ export function installTips(): void {
 	};
 	tip.hidden = true;
 	addEventListener("pointermove", show);
+	addEventListener("pointerdown", show); // of a finger, which does not hover
 	addEventListener("focusin", show);
 	addEventListener("scroll", () => (tip.hidden = true), true);
 	addEventListener("keydown", (event) => {

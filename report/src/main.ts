@@ -7,7 +7,7 @@ import { time } from "./format";
 import { GraphPanel } from "./graph/panel";
 import { MatrixReport } from "./matrix/data";
 import { MatrixPage, nameConfig } from "./matrix/page";
-import { PicturePanel } from "./picture/panel";
+import { PicturePanel, beside } from "./picture/panel";
 import { makeAbout, makeKeys } from "./sections/about";
 import { makeAnswers } from "./sections/answers";
 import { makeEffects } from "./sections/effects";
@@ -24,14 +24,18 @@ function isDark(): boolean {
 	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
-/** The contents of a kind of page: its sections, the lines under its name, and its own keys. */
+/** The contents of a kind of page: what it is, its sections, the line under that, and its own keys. */
 interface Contents {
+	intro: string; // for somebody who never heard of drydock
 	note: string[];
 	sections: [string, string][];
 	parts: HTMLElement[];
 	keys: Record<string, () => void>;
-	redraw: () => void; // after light became dark
+	picture?: PicturePanel | null; // whose keys act anywhere on the page
 }
+
+/** Names drydock and says its purpose. */
+const program = "drydock, which runs Unreal Engine post-processing on the CPU";
 
 function makeRun(report: Report): Contents {
 	const graph = new GraphPanel(report, (id) => picture.show(id));
@@ -46,11 +50,12 @@ function makeRun(report: Report): Contents {
 		picture.element.scrollIntoView();
 	};
 	return {
+		intro: `This page shows one frame made by ${program}: A is its picture` + (report.previous ? ", B the picture of the run before" : "") + ", and below is how it came about.",
 		note: [report.run.config, report.run.scene.file, "UE " + report.run.engine, report.run.precision === "double" ? "double" : ""],
 		sections: [["picture", "Picture"], ["graph", "Graph"], ["settings", "Settings"], ["effects", "Effects"], ["time", "Time"], ["messages", "Messages"]],
-		parts: [makeAnswers(report, showDifference), picture.element, graph.element, makeSettings(report), makeEffects(report), makeTime(report, openPass), makeMessages(report, openPass)],
+		parts: [beside(makeAnswers(report, showDifference), picture), graph.element, makeSettings(report), makeEffects(report), makeTime(report, openPass), makeMessages(report, openPass)],
 		keys: { "/": () => graph.focusSearch(), Escape: () => graph.select(-1) },
-		redraw: redrawer(picture),
+		picture,
 	};
 }
 
@@ -58,33 +63,36 @@ function makeStudy(report: StudyReport): Contents {
 	const { study, timing } = report;
 	const panel = new StudyPanel(report);
 	return {
+		intro: `This page shows how much time each way to make one effect costs, and how far its picture is from the exact one, as measured by ${program}.`,
 		note: [study.config, study.scene, study.size.join(" × "), `medians of ${timing.repetitions} runs, ${timing.threads} threads on ${timing.cpu}`],
-		sections: [], parts: [panel.element], keys: panel.keys, redraw: () => undefined,
+		sections: [], parts: [panel.element], keys: panel.keys,
 	};
-}
-
-/** The picture's colours, too, are those of the page. */
-function redrawer(picture: PicturePanel | null): () => void {
-	return () => void picture?.choose(picture.selectedA, picture.selectedB);
 }
 
 function makeDiff(report: DiffReport): Contents {
 	const page = new DiffPage(report);
-	return { note: [report.a.path, report.b.path], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
+	return {
+		intro: `This page compares two results of ${program}: A is ${report.a.path}, B is ${report.b.path}.`,
+		note: [], sections: page.sections, parts: page.parts, keys: {}, picture: page.picture,
+	};
 }
 
 function makeSequence(report: SequenceReport): Contents {
 	const page = new SequencePage(report);
 	const { config, scene, frames } = report.sequence;
 	return {
+		intro: `This page shows ${frames.length} frames of a sequence made by ${program}: A is the chosen frame, B the one before.`,
 		note: [config, scene, `${frames.length} frames, ${report.framesPerSecond} a second`],
-		sections: page.sections, parts: page.parts, keys: page.keys, redraw: () => page.redraw(),
+		sections: page.sections, parts: page.parts, keys: page.keys, picture: page.picture,
 	};
 }
 
 function makeMatrix(report: MatrixReport): Contents {
 	const page = new MatrixPage(report);
-	return { note: [`${report.matrix.versions.length} engine versions`, nameConfig(report)], sections: page.sections, parts: page.parts, keys: {}, redraw: redrawer(page.picture) };
+	return {
+		intro: `This page shows one plugin, built for and run under several engine versions by ${program}.`,
+		note: [`${report.matrix.versions.length} engine versions`, nameConfig(report)], sections: page.sections, parts: page.parts, keys: {}, picture: page.picture,
+	};
 }
 
 function makeContents(report: AnyReport): Contents {
@@ -110,23 +118,24 @@ function main(): void {
 	const about = makeAbout(getVersion(report), report.written, document.documentElement.outerHTML.length);
 	const theme = el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
 		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-		contents.redraw();
+		void contents.picture?.choose(contents.picture.selectedA, contents.picture.selectedB);
 	} }, "Light / dark");
 
 	document.body.append(
 		el("header", { class: "top" },
 			el("h1", {}, report.name),
-			el("span", { class: "quiet" }, [...contents.note, time(report.written)].filter(Boolean).join("  ·  ")),
 			el("nav", { "aria-label": "Sections" }, contents.sections.map(([id, title]) => el("a", { href: "#" + id }, title))),
 			theme,
 			el("button", { type: "button", "data-tip": "Keys (key ?)", "aria-label": "Keys", id: "show-keys", onclick: () => keys.showModal() }, "?"),
 			el("button", { type: "button", id: "show-about", onclick: () => about.showModal() }, "About")),
-		el("main", {}, ...contents.parts),
+		el("main", {},
+			el("div", { class: "intro" }, el("p", {}, contents.intro), el("p", { class: "quiet" }, [...contents.note, time(report.written)].filter(Boolean).join("  ·  "))),
+			...contents.parts),
 		keys, about);
 	installTips();
 
 	addEventListener("keydown", (event) => {
-		const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+		const typing = (event.target instanceof HTMLInputElement && event.target.type !== "range") || event.target instanceof HTMLSelectElement;
 		if (event.defaultPrevented || typing || event.ctrlKey || event.metaKey || event.altKey) {
 			return;
 		}
@@ -136,6 +145,8 @@ function main(): void {
 				event.preventDefault();
 			}
 			actions[event.key]();
+		} else if (contents.picture?.press(event.key, event.shiftKey)) {
+			event.preventDefault();
 		}
 	});
 	document.documentElement.dataset.ready = "true";

@@ -56,25 +56,54 @@ export async function until(page, holds, argument) {
 	}
 }
 
-/** Nothing is wider than a window of 1280, and axe finds nothing serious, in light and dark, which look different. Act: what
- * is done to the page before. */
+/** The text of axe. */
+export const axeSource = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What a window, of the size that it has, cannot show without sideways scrolling: the page, or a box on it; beside what is a
+ * strip by its nature (film strip, the graph as it flows). In a narrow window also pictures and charts that are mere slivers,
+ * and names that are cut. A function of the page. */
+export function findSideways() {
+	const root = document.scrollingElement;
+	const faults = root.scrollWidth > innerWidth ? [`the page is ${root.scrollWidth} wide`] : [];
+	const allowed = ".graph-view:has(.flow)" + (innerWidth > 760 ? ", .strip, .graph-view, .table" : "");
+	for (const box of document.querySelectorAll("main *")) {
+		if (box.scrollWidth > box.clientWidth + 1 && ["auto", "scroll"].includes(getComputedStyle(box).overflowX) && !box.matches(allowed)) {
+			faults.push(`${box.id || box.className} scrolls by ${box.scrollWidth - box.clientWidth}`);
+		}
+		if (getComputedStyle(box).textOverflow === "ellipsis" && box.scrollWidth > box.clientWidth) {
+			faults.push(`"${box.textContent}" is cut`);
+		}
+	}
+	for (const picture of document.querySelectorAll("#canvas, .chart, .plot-box svg, .order")) {
+		const { left, right, height } = picture.getBoundingClientRect();
+		if (height && !picture.closest(".panel") && (left < 0 || right > innerWidth || height < 40 || right - left < Math.min(250, innerWidth * 0.6))) {
+			faults.push(`${picture.id || picture.getAttribute("class")} is from ${left} to ${right}, ${height} high`);
+		}
+	}
+	return faults;
+}
+
+/** At 390 and 1440 pixels of width nothing scrolls sideways, and axe finds nothing serious, in light and dark, which look
+ * different. Act: what is done to the page before. */
 export async function checkAxe(file, act = async () => undefined) {
-	const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 	const papers = new Set();
 	for (const colorScheme of ["light", "dark"]) {
-		await onPage(file, async (page) => {
-			await act(page);
-			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 1280);
-			papers.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
-			await page.mouse.move(2, 2);
-			await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-			await page.evaluate(axe);
-			const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-			const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
-			assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
-			await page.setViewportSize({ width: 390, height: 800 });
-			assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 390, "at 390 pixels of width");
-		}, { colorScheme });
+		for (const [width, height] of [[1440, 900], [390, 844]]) {
+			await onPage(file, async (page) => {
+				await act(page);
+				papers.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+				await page.mouse.move(2, 2);
+				for (const open of width < 760 ? [false, true] : [true]) {
+					await page.evaluate((open) => document.querySelectorAll(".fold").forEach((fold) => (fold.open = open)), open);
+					await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+					assert.deepEqual(await page.evaluate(findSideways), [], `at ${width}`);
+				}
+				await page.evaluate(axeSource);
+				const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+				const serious = violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
+				assert.deepEqual(serious.map((violation) => `${violation.id}: ${violation.nodes.map((node) => node.target).slice(0, 3)}`), []);
+			}, { colorScheme, viewport: { width, height } });
+		}
 	}
 	assert.equal(papers.size, 2);
 }

@@ -1,6 +1,7 @@
 // The rest of the page in a browser: answers, graph, tables, dialogs, light and dark, and what assistive tools find.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { homedir } from "node:os";
 import { after, before, test } from "node:test";
 import { deflateSync } from "node:zlib";
 import { checkAxe, onPage, readData, runs, startBrowser, stopBrowser, until, withData } from "./harness.mjs";
@@ -30,10 +31,13 @@ test("a run without an earlier one, and one with warnings, say so", async () => 
 	const other = structuredClone(data);
 	delete other.previous;
 	other.pictures = other.pictures.filter((picture) => picture.role !== "previous");
-	other.run.warnings = [{ code: "DD4001", message: "BloomSetup </script> is strange", where: "configs/x.json:3:4" }];
+	other.run.warnings = [
+		{ severity: "warning", code: "DD4001", message: "BloomSetup </script> is strange", where: "configs/x.json:3:4" },
+		{ severity: "note", code: "DD4004", message: "it changed nothing", where: "" },
+	];
 	await withData(other, (file) => onPage(file, async (page) => {
 		assert.match(await page.textContent("#answer-changed"), /no earlier run/);
-		assert.match(await page.textContent("#answer-worked"), /with 1 warning.*BloomSetup <\/script> is strange/s);
+		assert.match(await page.textContent("#answer-worked"), /with 1 warning and 1 note.*BloomSetup <\/script> is strange/s);
 		assert.ok(await page.isDisabled("#mode-b"));
 		await page.click("#messages .link");
 		assert.match(await page.textContent("#pass-detail h3"), /BloomSetup/);
@@ -76,7 +80,7 @@ test("an opened pass shows shader, counters, parameters, pictures, and leads to 
 		}
 		await page.click("#pass-detail .thumbs button");
 		await until(page, (index) => document.querySelector("#picture-a").value.includes(index), String(pass.index));
-		await page.locator("#pass-detail .reads .link").first().click();
+		await page.locator("#pass-detail .reads .link", { hasText: "←" }).first().click();
 		await until(page, (producers) => producers.includes(Number(document.querySelector("#pass-detail h3 .quiet").textContent)), pass.producers);
 	});
 });
@@ -165,6 +169,58 @@ test("the boxes of keys and of parts open and close", async () => {
 	});
 });
 
-test("nothing is wider than a window of 1280, and every control has a name", async () => {
+test("a stranger is told what the page is, with the picture beside the five answers in view", async () => {
+	await onPage(plain, async (page) => {
+		assert.match(await page.textContent(".intro p"), /^This page shows .* drydock, which runs Unreal Engine post-processing on the CPU.*\.$/);
+		const box = async (selector) => page.locator(selector).boundingBox();
+		const [answers, canvas] = [await box("#answers"), await box("#canvas")];
+		assert.ok(answers.x + answers.width < canvas.x && answers.y < canvas.y + canvas.height);
+		assert.ok(canvas.y + canvas.height <= 900 && canvas.width > 800, JSON.stringify(canvas));
+	}, { viewport: { width: 1440, height: 900 } });
+	await onPage(plain, async (page) => {
+		const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+		assert.ok(x >= 0 && x + width <= 390 && width > 330 && y + height <= 844, "the picture is on a phone's first screen");
+	}, { viewport: { width: 390, height: 844 } });
+});
+
+test("the grid shows a texture as it was at a pass, and a hollow dot where a shader does not read it", async () => {
+	const written = data.pictures.find((picture) => picture.role === "thumbnail");
+	const name = (index) => data.graph.resources[index].name;
+	const writer = shown.find((pass) => pass.index === written.pass);
+	const reader = shown.find((pass) => !pass.culled && pass.index > writer.index && pass.uses.some((use) => use.reads && name(use.resource) === written.resource));
+	const cell = async (page, pass, kind) => {
+		const column = await page.locator(`.order svg:not(.names) .resource[data-resource="${data.graph.resources.findIndex((one) => one.name === written.resource)}"] .life`).boundingBox();
+		const row = await page.locator(`.order .pass[data-pass="${pass.index}"] ${kind}`).first().boundingBox();
+		await page.mouse.click(column.x + column.width / 2, row.y + row.height / 2);
+	};
+	const bound = new Map(data.passes.filter((pass) => pass.bound).map((pass) => [pass.index, pass.bound]));
+	const unread = shown.filter((pass) => bound.has(pass.index)).flatMap((pass) => [...new Set(pass.uses.map((use) => use.resource))]
+		.filter((resource) => pass.uses.every((use) => use.resource !== resource || (!use.writes && !bound.get(pass.index).includes(use.parameter)))));
+	await onPage(plain, async (page) => {
+		for (const [pass, said] of [[writer, "which wrote it"], [reader, `written by ${writer.index} `]]) {
+			await page.locator(`.order .pass[data-pass="${pass.index}"]`).scrollIntoViewIfNeeded();
+			await cell(page, pass, ":is(.read, .write)");
+			assert.equal(await page.textContent("#texture-detail h3"), written.resource);
+			assert.match(await page.textContent("#texture-detail .why"), new RegExp(`^At pass ${pass.index} .*${said}`));
+			assert.equal(await page.getAttribute("#texture-detail img", "src"), "data:image/png;base64," + written.png);
+			await page.locator("#texture-detail .plot svg").waitFor();
+		}
+		await page.click("#texture-detail .look");
+		await until(page, (id) => document.querySelector("#picture-a").value === id, written.id);
+		assert.ok(unread.length > 0);
+		assert.equal(await page.locator(".order .read.unread").count(), unread.length);
+		await page.focus(`.order .pass[data-pass="${reader.index}"]`);
+		await page.keyboard.press("Enter");
+		await page.locator("#pass-detail .reads .link", { hasText: written.resource }).first().focus();
+		await page.keyboard.press("Enter");
+		assert.equal(await page.textContent("#texture-detail h3"), written.resource);
+	});
+});
+
+test("the page names no folder of the machine", () => {
+	assert.doesNotMatch(JSON.stringify({ ...data, pictures: [] }), new RegExp(`${runs}|${process.cwd()}|${homedir()}/`));
+});
+
+test("nothing runs over the side, and every control has a name", async () => {
 	await checkAxe(plain, async (page) => page.click(`.order .pass[data-pass="${culled.index}"] text`));
 });

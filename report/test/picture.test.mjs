@@ -228,6 +228,27 @@ test("the wheel, a double click and keys zoom to texels with numbers, and fit go
 	});
 });
 
+test("keys of the picture act without a click on it first", async () => {
+	await onPage(plain, async (page) => {
+		for (const [key, mode] of [["s", "slider"], ["d", "difference"], ["i", "side"], ["b", "b"], ["a", "a"]]) {
+			await page.keyboard.press(key);
+			assert.ok(await isPressed(page, "#mode-" + mode), key);
+		}
+		await page.keyboard.press("c");
+		assert.ok(await isPressed(page, "#false-color"));
+		await page.keyboard.press("n");
+		assert.match(await page.textContent("#zoom"), /: 64$/);
+		await page.locator("#messages").scrollIntoViewIfNeeded();
+		await page.keyboard.press("f");
+		const { y, height } = await page.locator("#canvas").boundingBox();
+		assert.ok(y >= 0 && y + height <= 900, "what a key does is seen");
+		await page.focus("#search");
+		await page.keyboard.press("s");
+		assert.equal(await page.inputValue("#search"), "s");
+		assert.ok(await isPressed(page, "#mode-a"));
+	});
+});
+
 test("the film strip chooses A, and with shift B", async () => {
 	const id = readData(plain).pictures.find((picture) => picture.role === "thumbnail").id;
 	await onPage(plain, async (page) => {

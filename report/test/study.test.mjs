@@ -100,7 +100,7 @@ test("where there is one job, small panels show every error", async () => {
 	const one = { ...data, charts: data.charts.slice(0, 1), study: { ...data.study, jobs: data.study.jobs.slice(0, 1) }, timing: { ...data.timing, jobs: data.timing.jobs.slice(0, 1) } };
 	await withData(one, (single) => onPage(single, async (page) => {
 		await page.keyboard.press("g");
-		assert.equal(await page.locator(".panel").count(), 5);
+		assert.equal(await page.locator(".panel").count(), 6);
 		await page.click('[data-panel="0 ssim"]');
 		assert.equal(await page.inputValue("#metric"), "ssim");
 		assert.equal(await page.getAttribute('[data-panel="0 ssim"]', "aria-pressed"), "true");

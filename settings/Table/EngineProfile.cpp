@@ -24,14 +24,14 @@ const std::vector<FEngineProfile>& GetEngineProfiles()
 {
 	// clang-format off
 	static const std::vector<FEngineProfile> Rows = {
-		{.Minor = 1, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
-		{.Minor = 2, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
-		{.Minor = 3, .bShadowContrastOfHighlights = true,  .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false},
-		{.Minor = 4, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
-		{.Minor = 5, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
-		{.Minor = 6, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
-		{.Minor = 7, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
-		{.Minor = 8, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true},
+		{.Minor = 1, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false, .bUnboundBufferEnds = true},
+		{.Minor = 2, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false, .bUnboundBufferEnds = true},
+		{.Minor = 3, .bShadowContrastOfHighlights = true,  .bBloomRampWithoutThreshold = true,  .bLocalExposureThresholds = false, .bUnboundBufferEnds = false},
+		{.Minor = 4, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true,  .bUnboundBufferEnds = false},
+		{.Minor = 5, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true,  .bUnboundBufferEnds = false},
+		{.Minor = 6, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true,  .bUnboundBufferEnds = false},
+		{.Minor = 7, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true,  .bUnboundBufferEnds = false},
+		{.Minor = 8, .bShadowContrastOfHighlights = false, .bBloomRampWithoutThreshold = false, .bLocalExposureThresholds = true,  .bUnboundBufferEnds = false},
 	};
 	// clang-format on
 	return Rows;

@@ -29,6 +29,11 @@ struct FEngineProfile
 	 * settings. */
 	bool bLocalExposureThresholds = true;
 
+	/** A shader that reads a uniform buffer which its parameter struct lacks ends the run: in 5.2 and before. From 5.3
+	 * the engine reports it by ensureMsgf and goes on. Two public copies of 5.x go on, older ones of 4.25 to 5.0 end;
+	 * it is not known which of them 5.1 and 5.2 are like. */
+	bool bUnboundBufferEnds = false;
+
 	/** "5.4". */
 	DRYDOCK_API std::string GetVersion() const;
 };

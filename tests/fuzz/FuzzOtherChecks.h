@@ -5,7 +5,7 @@
 
 #include "Blend/WalkPath.h"
 #include "FuzzChecks.h"
-#include "Matrix/MatrixBuildLog.h"
+#include "Patch/BuildLog.h"
 #include "Matrix/MatrixRunReport.h"
 #include "SceneFile/SceneLight.h"
 #include "SceneFile/SceneSuggestions.h"
@@ -70,7 +70,7 @@ inline std::string CheckLogText(const std::string& Text)
 	}
 	for (const ECompilerMessage Kind : {ECompilerMessage::Error, ECompilerMessage::Warning})
 	{
-		for (const FMatrixMessage& Message : ReadCompilerMessages(Text, Kind, "/Plugin"))
+		for (const FCompilerMessage& Message : ReadCompilerMessages(Text, Kind, "/Plugin"))
 		{
 			if (Message.Line < 0)
 			{

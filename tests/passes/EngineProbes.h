@@ -58,6 +58,18 @@ enum EProbe
 	Probe_Sphere2,
 	Probe_WhiteBalance,
 	Probe_Noise,
+	Probe_FastAngles,
+	Probe_FastAngles4,
+	Probe_Octahedral,
+	Probe_HemiOctahedral,
+	Probe_Hash,
+	Probe_SH,
+	Probe_Distributions,
+	Probe_AnisotropicAndFresnel,
+	Probe_Visibility,
+	Probe_Diffuse,
+	Probe_Phases,
+	Probe_SubUvs,
 	NumProbes,
 };
 

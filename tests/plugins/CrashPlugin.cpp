@@ -1,5 +1,6 @@
 // A plugin that goes wrong in whatever way and place the environment variable DRYDOCK_TEST_CRASH names ("KIND at
 // PLACE"): PluginCrashTest.cpp runs the program with it.
+#include "HAL/IConsoleManager.h"
 #include "Modules/ModuleManager.h"
 #include "PostProcess/PostProcessing.h"
 #include "RenderTargetPool.h"
@@ -51,7 +52,27 @@ void Crash(const char* Kind)
 	if (Is("write", Kind))
 	{
 		volatile int* volatile Nowhere = reinterpret_cast<int*>(8);
-		*Nowhere = 1;
+		*Nowhere = 1; // crash: write
+	}
+	else if (Is("header", Kind))
+	{
+		// A pointer that is none, read by drydock's code.
+		const TArray<int32>* volatile Nothing = reinterpret_cast<const TArray<int32>*>(8);
+		volatile int32 Num = Nothing->Num(); // crash: header
+		Num = Num + 1;
+	}
+	else if (Is("library", Kind))
+	{
+		const TCHAR* volatile Nothing = reinterpret_cast<const TCHAR*>(8);
+		volatile bool bFound = IConsoleManager::Get().FindConsoleVariable(Nothing) != nullptr; // crash: library
+		bFound = !bFound;
+	}
+	else if (Is("nowhere", Kind))
+	{
+		void (*volatile Function)() = nullptr;
+		volatile int NumCalls = 0;
+		Function(); // crash: nowhere
+		NumCalls = NumCalls + 1;
 	}
 	else if (Is("divide", Kind))
 	{

@@ -76,6 +76,28 @@ TEST(Errors, EveryNumberOfTheCodeIsDocumented)
 	}
 }
 
+TEST(Errors, TroubleshootingNamesNumbersThatExistEachOnce)
+{
+	const std::string Page = ReadFile(DRYDOCK_TEST_SOURCE_DIR "/docs/troubleshooting.md");
+	const std::set<int> Documented = FindNumbersInDocs();
+	const std::regex Number("\\n\\| (DD[0-9]{4}(, DD[0-9]{4})*) \\|");
+	std::set<int> Found;
+	size_t NumFound = 0;
+	for (std::sregex_iterator Row(Page.begin(), Page.end(), Number), End; Row != End; ++Row)
+	{
+		std::set<int> OfRow;
+		CollectNumbers((*Row)[1].str(), "DD([0-9]{4})", OfRow);
+		NumFound += OfRow.size();
+		Found.insert(OfRow.begin(), OfRow.end());
+	}
+	EXPECT_GT(NumFound, 30u);
+	EXPECT_EQ(NumFound, Found.size());
+	for (const int Each : Found)
+	{
+		EXPECT_TRUE(Documented.count(Each)) << "DD" << Each << " is missing in docs/errors.md";
+	}
+}
+
 TEST(Errors, EveryDocumentedNumberIsUsed)
 {
 	const std::set<int> Used = FindNumbersInCode();

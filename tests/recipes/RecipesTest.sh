@@ -15,6 +15,7 @@ Fail() { printf 'RecipesTest: %s\n' "$*" >&2; exit 1; }
 rm -rf "$Tree"
 mkdir -p "$Tree" "$Work/edited"
 (cd "$Source" && cp -a CMakeLists.txt CMakePresets.json rdg settings passes pipeline cmake templates configs "$Tree/")
+mkdir "$Tree/report" && cp "$Source/report/page.html" "$Tree/report/" # the page of a run
 find "$Tree/rdg" -name '*.cpp' -delete
 [ -f "$Work/edited/Reused.cpp" ] || echo '// The library of rdg stands ready.' >"$Work/edited/Reused.cpp"
 cp -p "$Work/edited/Reused.cpp" "$Tree/rdg/core/Core/Reused.cpp"

@@ -1,8 +1,8 @@
-// Every shipped config under `--check`, in a part of its picture: what is found is stated (CheckedConfigs.h), and
-// nothing else is.
+// Every shipped config under `--check`, in a part of its picture: what is found is stated (Inspect/StatedFindings.h),
+// and nothing else is.
 #include <gtest/gtest.h>
 
-#include "CheckedConfigs.h"
+#include "Inspect/StatedFindings.h"
 
 #include "Inspect/CheckCapture.h"
 #include "Run/Run.h"
@@ -12,6 +12,9 @@
 
 namespace Stability
 {
+
+using Drydock::FStatedFinding;
+using Drydock::StatedFindings;
 
 namespace
 {

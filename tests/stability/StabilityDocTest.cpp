@@ -1,7 +1,7 @@
 // docs/stability.md is made of the table: run with DRYDOCK_BLESS=1 to write it anew after changing a cell.
 #include <gtest/gtest.h>
 
-#include "CheckedConfigs.h"
+#include "Inspect/StatedFindings.h"
 #include "HazardScene.h"
 #include "RangeRows.h"
 #include "StabilityPicture.h"
@@ -17,6 +17,9 @@
 
 namespace Stability
 {
+
+using Drydock::FStatedFinding;
+using Drydock::StatedFindings;
 
 namespace
 {

@@ -70,7 +70,7 @@ struct FPostProcessMaterialInputs
 	{
 		return OverrideOutput.IsValid()
 				   ? FScreenPassTexture(OverrideOutput)
-				   : FScreenPassTexture::CopyFromSlice(GraphBuilder, GetInput(EPostProcessMaterialInput::SceneColor));
+				   : Drydock::CopyFromSlice(GraphBuilder, GetInput(EPostProcessMaterialInput::SceneColor));
 	}
 
 	void Validate() const

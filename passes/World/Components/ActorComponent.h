@@ -12,7 +12,7 @@ class AActor;
 class DRYDOCK_API UActorComponent : public UObject
 {
 public:
-	using Super = UActorComponent;
+	DRYDOCK_CLASS(UActorComponent, UObject)
 	using UObject::UObject;
 
 	FActorComponentTickFunction PrimaryComponentTick;
@@ -29,7 +29,8 @@ public:
 	virtual void UninitializeComponent() {}
 	virtual void BeginPlay() {}
 	virtual void EndPlay(const EEndPlayReason::Type) {}
-	/** Nothing ticks here: a frame is one moment. */
+	/** Called once before a frame, behind the actor's Tick, if PrimaryComponentTick allows it; with the actor's
+	 * seconds. */
 	virtual void TickComponent(float, ELevelTick, FActorComponentTickFunction*) {}
 	virtual void Activate(bool = false) { bActive = true; }
 	virtual void Deactivate() { bActive = false; }
@@ -41,7 +42,11 @@ public:
 	void SetComponentTickEnabled(bool bEnabled) { PrimaryComponentTick.SetTickFunctionEnable(bEnabled); }
 	void MarkRenderStateDirty() {}
 
+	/** Ours: begins to play, once. */
+	void StartPlay();
+
 private:
 	bool bRegistered = false;
 	bool bActive = false;
+	bool bPlays = false;
 };

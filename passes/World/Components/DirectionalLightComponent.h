@@ -7,7 +7,7 @@
 class DRYDOCK_API UDirectionalLightComponent : public USceneComponent
 {
 public:
-	using Super = UDirectionalLightComponent;
+	DRYDOCK_CLASS(UDirectionalLightComponent, USceneComponent)
 	using USceneComponent::USceneComponent;
 
 	float Intensity = 10.0f; // lux

@@ -9,7 +9,7 @@ class FPrimitiveSceneProxy;
 class DRYDOCK_API UPrimitiveComponent : public USceneComponent
 {
 public:
-	using Super = UPrimitiveComponent;
+	DRYDOCK_CLASS(UPrimitiveComponent, USceneComponent)
 	using USceneComponent::USceneComponent;
 
 	bool bRenderCustomDepth = false;

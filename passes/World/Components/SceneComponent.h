@@ -17,7 +17,7 @@ enum Type : int
 class DRYDOCK_API USceneComponent : public UActorComponent
 {
 public:
-	using Super = USceneComponent;
+	DRYDOCK_CLASS(USceneComponent, UActorComponent)
 	using UActorComponent::UActorComponent;
 
 	/** In cm and degrees, in the world: there is no hierarchy of places. */

@@ -6,7 +6,7 @@
 class DRYDOCK_API USkyAtmosphereComponent : public USceneComponent
 {
 public:
-	using Super = USkyAtmosphereComponent;
+	DRYDOCK_CLASS(USkyAtmosphereComponent, USceneComponent)
 	using USceneComponent::USceneComponent;
 
 	float BottomRadius = 6360.0f;    // km

@@ -11,7 +11,7 @@ class UComposurePostProcessingPassProxy;
 class DRYDOCK_API UCompositingElementPass : public UObject
 {
 public:
-	using Super = UCompositingElementPass;
+	DRYDOCK_CLASS(UCompositingElementPass, UObject)
 	using UObject::UObject;
 
 	bool bEnabled = true;
@@ -25,7 +25,7 @@ protected:
 class DRYDOCK_API UCompositingElementTransform : public UCompositingElementPass
 {
 public:
-	using Super = UCompositingElementTransform;
+	DRYDOCK_CLASS(UCompositingElementTransform, UCompositingElementPass)
 	using UCompositingElementPass::UCompositingElementPass;
 
 	virtual UTexture* ApplyTransform_Implementation(UTexture* Input, UComposurePostProcessingPassProxy*, ACameraActor*)
@@ -37,7 +37,7 @@ public:
 class DRYDOCK_API UCompositingElementInput : public UCompositingElementPass
 {
 public:
-	using Super = UCompositingElementInput;
+	DRYDOCK_CLASS(UCompositingElementInput, UCompositingElementPass)
 	using UCompositingElementPass::UCompositingElementPass;
 
 	virtual UTexture* GenerateInput_Implementation() { return nullptr; }
@@ -46,7 +46,7 @@ public:
 class DRYDOCK_API UCompositingElementOutput : public UCompositingElementPass
 {
 public:
-	using Super = UCompositingElementOutput;
+	DRYDOCK_CLASS(UCompositingElementOutput, UCompositingElementPass)
 	using UCompositingElementPass::UCompositingElementPass;
 
 	virtual void RelayOutput_Implementation(UTexture*, UComposurePostProcessingPassProxy*) {}

@@ -8,13 +8,13 @@
 class DRYDOCK_API UDataAsset : public UObject
 {
 public:
-	using Super = UDataAsset;
+	DRYDOCK_CLASS(UDataAsset, UObject)
 	using UObject::UObject;
 };
 
 class DRYDOCK_API UPrimaryDataAsset : public UDataAsset
 {
 public:
-	using Super = UPrimaryDataAsset;
+	DRYDOCK_CLASS(UPrimaryDataAsset, UDataAsset)
 	using UDataAsset::UDataAsset;
 };

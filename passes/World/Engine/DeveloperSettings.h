@@ -9,7 +9,7 @@
 class DRYDOCK_API UDeveloperSettings : public UObject
 {
 public:
-	using Super = UDeveloperSettings;
+	DRYDOCK_CLASS(UDeveloperSettings, UObject)
 	using UObject::UObject;
 
 	FName CategoryName;
@@ -29,6 +29,6 @@ public:
 class DRYDOCK_API UDeveloperSettingsBackedByCVars : public UDeveloperSettings
 {
 public:
-	using Super = UDeveloperSettingsBackedByCVars;
+	DRYDOCK_CLASS(UDeveloperSettingsBackedByCVars, UDeveloperSettings)
 	using UDeveloperSettings::UDeveloperSettings;
 };

@@ -7,7 +7,7 @@
 class DRYDOCK_API ADirectionalLight : public AActor
 {
 public:
-	using Super = ADirectionalLight;
+	DRYDOCK_CLASS(ADirectionalLight, AActor)
 
 	ADirectionalLight()
 	{

@@ -52,7 +52,7 @@ enum ETickingGroup : int
 	TG_MAX
 };
 
-/** The tick options of an actor or component. Nothing ticks here: a frame is one moment. */
+/** The tick options of an actor or component. */
 struct FTickFunction
 {
 	ETickingGroup TickGroup = TG_PrePhysics;
@@ -64,7 +64,11 @@ struct FTickFunction
 	void SetTickFunctionEnable(bool bEnabled) { bTickEnabled = bEnabled; }
 	bool IsTickFunctionEnabled() const { return bTickEnabled; }
 
+	/** Ours: a frame of so many seconds comes. Whether it ticks, and with how many. */
+	DRYDOCK_API bool Advance(float DeltaSeconds, float& OutSeconds);
+
 private:
+	float Waited = 0.0f; // s since its last tick
 	bool bTickEnabled = false;
 };
 

@@ -40,7 +40,7 @@ public:
 class DRYDOCK_API UTextureRenderTarget : public UTexture
 {
 public:
-	using Super = UTextureRenderTarget;
+	DRYDOCK_CLASS(UTextureRenderTarget, UTexture)
 	using UTexture::UTexture;
 
 	/** Null until the target has a size. */
@@ -51,7 +51,7 @@ public:
 class DRYDOCK_API UTextureRenderTarget2D : public UTextureRenderTarget
 {
 public:
-	using Super = UTextureRenderTarget2D;
+	DRYDOCK_CLASS(UTextureRenderTarget2D, UTextureRenderTarget)
 
 	UTextureRenderTarget2D();
 	~UTextureRenderTarget2D() override;

@@ -1,5 +1,4 @@
-// Defines the handle of a timer: none is ever set here, because nothing ticks. Source: engine file
-// Engine/TimerHandle.h.
+// Defines the handle of a timer (TimerManager.h). Source: engine file Engine/TimerHandle.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -11,5 +10,7 @@ struct FTimerHandle
 	bool operator==(const FTimerHandle&) const = default;
 
 private:
+	friend class FTimerManager;
+
 	uint64 Handle = 0;
 };

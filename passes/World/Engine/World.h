@@ -10,14 +10,17 @@ class AActor;
 class APlayerController;
 class AWorldSettings;
 class FSceneInterface;
+class FTimerManager;
 
 class DRYDOCK_API UGameInstance : public UObject
 {
 public:
-	using Super = UGameInstance;
+	DRYDOCK_CLASS(UGameInstance, UObject)
 	using UObject::UObject;
 
 	UWorld* GetWorld() const override;
+	/** The world's (TimerManager.h). */
+	FTimerManager& GetTimerManager() const;
 
 	/** Null if no plugin brings it. */
 	template<typename T>
@@ -33,6 +36,14 @@ public:
 };
 
 class UGameViewportClient;
+
+/** How the engine names and places an actor; only its class and place matter here. */
+struct FActorSpawnParameters
+{
+	FName Name;
+	AActor* Owner = nullptr;
+	uint32 ObjectFlags = 0;
+};
 
 class DRYDOCK_API UWorld : public UObject
 {
@@ -59,10 +70,12 @@ public:
 	UGameInstance* GetGameInstance() const { return GameInstance; }
 	APlayerController* GetFirstPlayerController() const { return nullptr; }
 
-	/** Seconds; the world stands still. */
-	double GetTimeSeconds() const { return 0.0; }
-	double GetRealTimeSeconds() const { return 0.0; }
-	float GetDeltaSeconds() const { return 0.0f; }
+	/** Seconds since the world began, and since the frame before; they advance with the frames of a sequence. */
+	double GetTimeSeconds() const { return TimeSeconds; }
+	double GetRealTimeSeconds() const { return TimeSeconds; }
+	float GetDeltaSeconds() const { return DeltaSeconds; }
+	/** TimerManager.h */
+	FTimerManager& GetTimerManager() const { return *TimerManager; }
 
 	/** Null if no plugin brings it. */
 	template<typename T>
@@ -77,6 +90,19 @@ public:
 	}
 
 	/** A new actor, which the world owns, after BeginPlay of its components and of itself. */
+	template<typename T>
+	T* SpawnActor(const FVector& Location, const FRotator& Rotation = FRotator(0.0, 0.0, 0.0),
+		const FActorSpawnParameters& = FActorSpawnParameters())
+	{
+		T* const Actor = SpawnActor<T>();
+		Actor->SetActorLocationAndRotation(Location, Rotation);
+		return Actor;
+	}
+	template<typename T>
+	T* SpawnActor(const FActorSpawnParameters&)
+	{
+		return SpawnActor<T>();
+	}
 	template<typename T>
 	T* SpawnActor()
 	{
@@ -103,14 +129,18 @@ public:
 	}
 	/** Ours: ends the play of those. */
 	void RemovePlacedActors();
-	/** Ours: before a frame. */
-	void TickActors();
+	/** Ours: before a frame; the seconds since the frame before, and since the world began. Actors and components tick
+	 * by their groups, timers come before TG_PostUpdateWork, and behind them FTickableGameObjects. */
+	void Tick(float InDeltaSeconds, double InTimeSeconds);
 
 private:
 	void AddActor(const std::shared_ptr<AActor>& Actor);
 
 	UGameInstance* GameInstance;
 	AWorldSettings* WorldSettings;
+	FTimerManager* TimerManager;
+	double TimeSeconds = 0.0;
+	float DeltaSeconds = 0.0f;
 	std::vector<std::shared_ptr<AActor>> Actors;
 	std::vector<AActor*> Placed;
 };

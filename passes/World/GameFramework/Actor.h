@@ -10,7 +10,7 @@
 class DRYDOCK_API AActor : public UObject
 {
 public:
-	using Super = AActor;
+	DRYDOCK_CLASS(AActor, UObject)
 	using UObject::UObject;
 
 	FActorTickFunction PrimaryActorTick;
@@ -25,11 +25,12 @@ public:
 	virtual void OnConstruction(const FTransform&) {}
 	virtual void PostInitializeComponents() {}
 	virtual void PostRegisterAllComponents() {}
-	/** Called once before a frame, if PrimaryActorTick allows it; with 0 seconds, because the world stands still. */
+	/** Called once before a frame, if PrimaryActorTick allows it; with the seconds since the frame before (of its own
+	 * last tick where it has a TickInterval), times CustomTimeDilation. */
 	virtual void Tick(float) {}
 	virtual bool ShouldTickIfViewportsOnly() const { return false; }
 
-	/** In play this actor's time goes so much faster than the world's. */
+	/** This actor's time goes so much faster than the world's. */
 	float CustomTimeDilation = 1.0f;
 
 	/** A flag that code may read: nothing of an actor is drawn here, hidden or not. */
@@ -44,6 +45,28 @@ public:
 	{
 		return RootComponent ? RootComponent->GetComponentLocation() : FVector(0.0, 0.0, 0.0);
 	}
+	/** False without a root component. */
+	bool SetActorLocationAndRotation(const FVector& Location, const FRotator& Rotation)
+	{
+		if (RootComponent)
+		{
+			RootComponent->SetWorldLocation(Location);
+			RootComponent->SetWorldRotation(Rotation);
+		}
+		return RootComponent.Get() != nullptr;
+	}
+	bool SetActorLocation(const FVector& Location) { return SetActorLocationAndRotation(Location, GetActorRotation()); }
+	bool SetActorRotation(const FRotator& Rotation)
+	{
+		return SetActorLocationAndRotation(GetActorLocation(), Rotation);
+	}
+	FRotator GetActorRotation() const
+	{
+		return RootComponent ? RootComponent->GetComponentRotation() : FRotator(0.0, 0.0, 0.0);
+	}
+	FVector GetActorForwardVector() const { return GetActorRotation().Vector(); }
+	/** The world's. */
+	FTimerManager& GetWorldTimerManager() const;
 	void SetActorTickEnabled(bool bEnabled) { PrimaryActorTick.SetTickFunctionEnable(bEnabled); }
 
 	/** A part of this actor; a component begins to play with it. */
@@ -53,7 +76,7 @@ public:
 		T* const Part = UObject::CreateDefaultSubobject<T>(SubobjectName);
 		if constexpr (std::is_base_of_v<UActorComponent, T>)
 		{
-			Components.Add(Part);
+			Components.Add(static_cast<UActorComponent*>(Part));
 		}
 		return Part;
 	}
@@ -61,9 +84,9 @@ public:
 	template<typename T>
 	T* FindComponentByClass() const
 	{
-		for (UActorComponent* const Component : Components)
+		for (const TWeakObjectPtr<UActorComponent>& Component : Components)
 		{
-			if (T* const Found = Cast<T>(Component))
+			if (T* const Found = Cast<T>(Component.Get()))
 			{
 				return Found;
 			}
@@ -85,13 +108,18 @@ public:
 	/** Ours: registers the components, then they and the actor begin to play. UWorld::SpawnActor calls it. */
 	void StartPlay();
 
-	/** Ours: whose code it is. */
-	const Drydock::FCodeOwner& GetCodeOwner() const { return Owner; }
+	/** Ours: ticks what is in that group of it and its components. */
+	void TickGroup(ETickingGroup Group, float DeltaSeconds);
+	/** Ours: a component that was made for it and registered. */
+	void AddOwnedComponent(UActorComponent* Component);
+	/** Ours: those that live. */
+	std::vector<UActorComponent*> GetOwnedComponents() const;
 
 private:
-	TArray<UActorComponent*> Components;
+	TArray<TWeakObjectPtr<UActorComponent>> Components;
 	Drydock::FCodeOwner Owner;
 	bool bHidden = false;
+	bool bPlays = false;
 };
 
 inline AActor* UActorComponent::GetOwner() const

@@ -7,7 +7,7 @@
 class DRYDOCK_API AWorldSettings : public AActor
 {
 public:
-	using Super = AWorldSettings;
+	DRYDOCK_CLASS(AWorldSettings, AActor)
 	using AActor::AActor;
 
 	float WorldToMeters = 100.0f; // cm in a metre

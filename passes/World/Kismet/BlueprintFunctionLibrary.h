@@ -7,6 +7,6 @@
 class DRYDOCK_API UBlueprintFunctionLibrary : public UObject
 {
 public:
-	using Super = UBlueprintFunctionLibrary;
+	DRYDOCK_CLASS(UBlueprintFunctionLibrary, UObject)
 	using UObject::UObject;
 };

@@ -9,14 +9,14 @@
 class DRYDOCK_API UMaterialInterface : public UObject, public IBlendableInterface
 {
 public:
-	using Super = UMaterialInterface;
+	DRYDOCK_CLASS(UMaterialInterface, UObject)
 	using UObject::UObject;
 };
 
 class DRYDOCK_API UMaterial : public UMaterialInterface
 {
 public:
-	using Super = UMaterial;
+	DRYDOCK_CLASS(UMaterial, UMaterialInterface)
 	using UMaterialInterface::UMaterialInterface;
 };
 
@@ -24,7 +24,7 @@ public:
 class DRYDOCK_API UMaterialInstanceDynamic : public UMaterialInterface
 {
 public:
-	using Super = UMaterialInstanceDynamic;
+	DRYDOCK_CLASS(UMaterialInstanceDynamic, UMaterialInterface)
 	using UMaterialInterface::UMaterialInterface;
 
 	/** A new one, which the caller owns. */

@@ -4,12 +4,13 @@
 #include "CoreMinimal.h"
 #include "Engine/World.h"
 #include "Subsystems/Subsystem.h"
+#include "Tickable.h"
 #include "UObject/ScriptDelegates.h"
 
 class DRYDOCK_API UWorldSubsystem : public USubsystem
 {
 public:
-	using Super = UWorldSubsystem;
+	DRYDOCK_CLASS(UWorldSubsystem, USubsystem)
 	using USubsystem::USubsystem;
 
 	static constexpr Drydock::ESubsystemKind SubsystemKind = Drydock::ESubsystemKind::World;
@@ -23,20 +24,28 @@ public:
 	virtual void OnWorldBeginPlay(UWorld&) {}
 
 	void OnCollectionStarted() final;
+	/** Ours: the world has started it. */
+	bool IsStarted() const { return bStarted; }
 
 protected:
 	/** The world is EWorldType::Game. */
 	virtual bool DoesSupportWorldType(const EWorldType::Type WorldType) const;
+
+private:
+	bool bStarted = false;
 };
 
-/** Nothing ticks here: a frame is one moment. */
-class DRYDOCK_API UTickableWorldSubsystem : public UWorldSubsystem
+/** Ticks once a frame from its start on. */
+class DRYDOCK_API UTickableWorldSubsystem : public UWorldSubsystem, public FTickableGameObject
 {
 public:
-	using Super = UTickableWorldSubsystem;
+	DRYDOCK_CLASS(UTickableWorldSubsystem, UWorldSubsystem)
 	using UWorldSubsystem::UWorldSubsystem;
 
-	virtual void Tick(float) {}
-	virtual TStatId GetStatId() const { return TStatId(); }
-	virtual bool IsTickable() const { return true; }
+	void Tick(float) override {}
+	TStatId GetStatId() const override { return TStatId(); }
+	ETickableTickType GetTickableTickType() const override
+	{
+		return IsStarted() ? ETickableTickType::Conditional : ETickableTickType::Never;
+	}
 };

@@ -1,7 +1,9 @@
-// Answers which thread this is: every answer is yes, because one thread plays all parts. Source: engine CoreGlobals.h.
+// Answers which thread this is: every answer is yes, because one thread plays all parts. And which frame this is.
+// Source: engine CoreGlobals.h.
 #pragma once
 
 #include "CoreTypes.h"
+#include "DrydockAPI.h"
 
 inline bool IsInGameThread()
 {
@@ -34,3 +36,9 @@ inline bool IsRunningCommandlet()
 
 inline constexpr bool GIsEditor = false;
 inline constexpr bool GIsClient = true;
+
+/** The number of the frame that is rendered; 0 before the first one. */
+extern DRYDOCK_API uint32 GFrameNumber;
+extern DRYDOCK_API uint32 GFrameNumberRenderThread;
+extern DRYDOCK_API uint64 GFrameCounter;
+extern DRYDOCK_API uint64 GFrameCounterRenderThread;

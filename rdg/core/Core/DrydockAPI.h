@@ -3,3 +3,6 @@
 #pragma once
 
 #define DRYDOCK_API __attribute__((visibility("default")))
+
+/** On a function of the engine that is absent here: calling it is a compile error with these words. */
+#define DRYDOCK_ABSENT(Name, WayRound) __attribute__((unavailable("drydock does not have " #Name ": " WayRound)))

@@ -3,6 +3,7 @@
 #include "FaultHandlers.h"
 
 #include "CodeErrors.h"
+#include "CrashPlace.h"
 #include "Diagnostics.h"
 #include "RunningCode.h"
 #include "Templates/UnrealTemplate.h"
@@ -137,28 +138,31 @@ struct FBlame
 	bool bForeign = false;
 	const char* Plugin = nullptr; // that the instruction lies in
 	uint64 Offset = 0;
+	FCrashPlace Place;
 };
 
-FBlame FindBlame(const void* Instruction)
+FBlame GBlame;
+
+void FindBlame(const void* Instruction)
 {
-	FBlame Blame;
-	Blame.Plugin = FindPluginCode(Instruction, Blame.Offset);
-	Blame.bForeign = GetRunningWords().bForeign || Blame.Plugin != nullptr;
-	return Blame;
+	GBlame.Plugin = FindPluginCode(Instruction, GBlame.Offset);
+	GBlame.bForeign = GetRunningWords().bForeign || GBlame.Plugin != nullptr;
 }
 
 /** One line: whose code, what happened, in which instruction. */
-void WriteFault(const FBlame& Blame, const FLine& (*AddWhat)(FLine&, const void*), const void* What)
+void WriteFault(const FLine& (*AddWhat)(FLine&, const void*), const void* What)
 {
 	const FRunningWords& Words = GetRunningWords();
+	const FCrashPlace& Place = GBlame.Place;
+	const bool bPluginAlone = GBlame.bForeign && !Place.bOfDrydock;
 	FLine Line;
 	Line.Add(isatty(STDERR_FILENO) ? "\n" : ""); // a progress bar may stand in the line
-	if (Blame.bForeign)
+	if (bPluginAlone)
 	{
 		Line.Add("error DD").AddNumber(ErrorPluginCrashed, 10).Add(" at ");
 		if (!Words.bForeign)
 		{
-			Line.Add("plugin ").Add(Blame.Plugin).Add(Words.Text[0] != '\0' ? ", in " : "");
+			Line.Add("plugin ").Add(GBlame.Plugin).Add(Words.Text[0] != '\0' ? ", in " : "");
 		}
 		Line.Add(Words.Text).Add(": the plugin ");
 	}
@@ -167,11 +171,23 @@ void WriteFault(const FBlame& Blame, const FLine& (*AddWhat)(FLine&, const void*
 		Line.Add("drydock crashed in ").Add(Words.Text[0] != '\0' ? Words.Text : "a thread of its own").Add(": it ");
 	}
 	AddWhat(Line, What);
-	if (Blame.Plugin != nullptr)
+	const char* const Drydock = Place.Drydock;
+	Line.Add(Drydock[0] != '\0' ? " in " : "").Add(Drydock);
+	const char* const CalledAt = Drydock[0] != '\0' || !bPluginAlone ? ", called at " : " in ";
+	Line.Add(Place.Plugin[0] != '\0' ? CalledAt : "").Add(Place.Plugin);
+	if (const char* const Library = GBlame.Plugin != nullptr ? GBlame.Plugin : Place.Library)
 	{
-		Line.Add(" (").Add(Blame.Plugin).Add("+").AddNumber(Blame.Offset, 16).Add(")");
+		const uint64 Offset = GBlame.Plugin != nullptr ? GBlame.Offset : Place.Offset;
+		Line.Add(" (").Add(Library).Add("+").AddNumber(Offset, 16).Add(")");
 	}
-	Line.Add(Blame.bForeign ? "\n" : "; this is drydock's fault\n").Write();
+	const char* const OfDrydock =
+		GBlame.bForeign ? "; drydock's code is at fault, or what the plugin gave it\n" : "; this is drydock's fault\n";
+	Line.Add(bPluginAlone ? "\n" : OfDrydock).Write();
+}
+
+int GetExitCode()
+{
+	return GBlame.bForeign && !GBlame.Place.bOfDrydock ? ExitPlugin : ExitInternal;
 }
 
 /** True in a child that is to die of the signal for the sake of its core file, once per fault; the parent has waited
@@ -207,6 +223,23 @@ struct FSignal
 	const void* Context;
 };
 
+const FLine& AddSignal(FLine& Line, const void* Data)
+{
+	const FSignal& Signal = *static_cast<const FSignal*>(Data);
+	if (Signal.Number == SIGABRT)
+	{
+		return Line.Add("called abort");
+	}
+	if (IsStackOverflow(Signal.Number, Signal.Info->si_addr, Signal.Context))
+	{
+		return Line.Add("overflowed its stack");
+	}
+	Line.Add("crashed: ").Add(GetSignalText(Signal.Number));
+	const bool bHasAddress = (Signal.Number == SIGSEGV || Signal.Number == SIGBUS) && Signal.Info->si_code > 0 &&
+							 Signal.Info->si_code != SI_KERNEL;
+	return bHasAddress ? Line.Add(" at address ").AddNumber(uint64(Signal.Info->si_addr), 16) : Line;
+}
+
 void OnSignal(int Number, siginfo_t* Info, void* Context)
 {
 	if (Info->si_code <= 0 && Info->si_pid != getpid())
@@ -216,45 +249,40 @@ void OnSignal(int Number, siginfo_t* Info, void* Context)
 		kill(getpid(), Number);
 		return;
 	}
-	static std::atomic<int> ExitCode{ExitInternal};
+	static std::atomic<bool> bTold{false};
+	static FSignal First;
 	const long Thread = syscall(SYS_gettid);
 	long Other = 0;
 	if (!GEndingThread.compare_exchange_strong(Other, Thread))
 	{
 		if (Other == Thread)
 		{
-			_exit(ExitCode); // the telling itself has failed
+			// The search for the place, or the telling itself, has failed.
+			if (!bTold.exchange(true) && First.Context != nullptr)
+			{
+				WriteFault(AddSignal, &First);
+			}
+			_exit(GetExitCode());
 		}
 		for (;;)
 		{
 			pause(); // the other's telling ends the process
 		}
 	}
-	const FBlame Blame = FindBlame(GetInstruction(Context));
-	ExitCode = Blame.bForeign ? ExitPlugin : ExitInternal;
-	const FSignal What = {Number, Info, Context};
-	WriteFault(
-		Blame,
-		[](FLine& Line, const void* Data) -> const FLine&
-		{
-			const FSignal& Signal = *static_cast<const FSignal*>(Data);
-			if (Signal.Number == SIGABRT)
-			{
-				return Line.Add("called abort");
-			}
-			if (IsStackOverflow(Signal.Number, Signal.Info->si_addr, Signal.Context))
-			{
-				return Line.Add("overflowed its stack");
-			}
-			Line.Add("crashed: ").Add(GetSignalText(Signal.Number));
-			const bool bHasAddress = (Signal.Number == SIGSEGV || Signal.Number == SIGBUS) &&
-									 Signal.Info->si_code > 0 && Signal.Info->si_code != SI_KERNEL;
-			return bHasAddress ? Line.Add(" at address ").AddNumber(uint64(Signal.Info->si_addr), 16) : Line;
-		},
-		&What);
+	First = {Number, Info, Context};
+	FindBlame(GetInstruction(Context));
+	if (GBlame.bForeign)
+	{
+		// Whose function is the innermost one says nothing about a stack that is full.
+		const bool bOverflow = IsStackOverflow(Number, Info->si_addr, Context);
+		FindCrashPlace(Context, GBlame.Place);
+		GBlame.Place.bOfDrydock = GBlame.Place.bOfDrydock && !bOverflow;
+	}
+	bTold = true;
+	WriteFault(AddSignal, &First);
 	if (!IsChildForCore(Number))
 	{
-		_exit(ExitCode);
+		_exit(GetExitCode());
 	}
 	// The child goes back to the instruction, which kills it.
 }
@@ -262,15 +290,18 @@ void OnSignal(int Number, siginfo_t* Info, void* Context)
 [[noreturn]] void EndWith(const char* What)
 {
 	GEndingThread = syscall(SYS_gettid);
-	const FBlame Blame = FindBlame(nullptr);
+	FindBlame(nullptr);
+	if (GBlame.bForeign)
+	{
+		FindCrashPlace(nullptr, GBlame.Place);
+	}
 	WriteFault(
-		Blame, [](FLine& Line, const void* Data) -> const FLine& { return Line.Add(static_cast<const char*>(Data)); },
-		What);
+		[](FLine& Line, const void* Data) -> const FLine& { return Line.Add(static_cast<const char*>(Data)); }, What);
 	if (IsChildForCore(SIGABRT))
 	{
 		std::abort();
 	}
-	_exit(Blame.bForeign ? ExitPlugin : ExitInternal);
+	_exit(GetExitCode());
 }
 
 [[noreturn]] void OnTerminate()
@@ -344,6 +375,7 @@ void InstallFaultHandlers()
 		return;
 	}
 	GInstalled = true;
+	PrepareCrashPlaces();
 	EnsureFaultStack();
 	struct sigaction Action = {};
 	Action.sa_sigaction = OnSignal;

@@ -2,6 +2,7 @@
 #include "RegularFile.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -81,6 +82,23 @@ FFileBytes ReadToEnd(size_t SizeSaid, size_t MaxBytes, const TFunction& Read)
 
 } // namespace
 
+std::string DescribeWindowsPath(const std::string& Path)
+{
+	const size_t Colon = Path.find(':');
+	const bool bDrive = Colon != std::string::npos && Colon > 0 && Colon + 1 < Path.size() &&
+						std::isalpha(static_cast<unsigned char>(Path[Colon - 1])) &&
+						(Colon == 1 || Path[Colon - 2] == '/') && (Path[Colon + 1] == '\\' || Path[Colon + 1] == '/');
+	if (!bDrive)
+	{
+		return Path.find('\\') == std::string::npos ? "" : "; folders of a path are parted by /, not by \\";
+	}
+	std::string Here = Path.substr(Colon + 1);
+	std::replace(Here.begin(), Here.end(), '\\', '/');
+	return std::string("; the drive of Windows is /mnt/") +
+		   static_cast<char>(std::tolower(static_cast<unsigned char>(Path[Colon - 1]))) + " in WSL: /mnt/" +
+		   static_cast<char>(std::tolower(static_cast<unsigned char>(Path[Colon - 1]))) + Here;
+}
+
 FRegularFile::FRegularFile(const std::string& Path)
 {
 	if (Path.find('\0') != std::string::npos)
@@ -94,7 +112,7 @@ FRegularFile::FRegularFile(const std::string& Path)
 	{
 		const int Error = errno;
 		const bool bSocket = Error == ENXIO && stat(Path.c_str(), &Status) == 0 && !S_ISREG(Status.st_mode);
-		Problem = bSocket ? DescribeOther(Status.st_mode) : DescribeError(Error);
+		Problem = bSocket ? DescribeOther(Status.st_mode) : DescribeError(Error) + DescribeWindowsPath(Path);
 		return;
 	}
 	Problem = fstat(Descriptor, &Status) != 0 ? DescribeError(errno) : DescribeOther(Status.st_mode);

@@ -17,6 +17,10 @@ namespace Drydock
  * largest that ships does. */
 constexpr size_t MaxTextBytes = size_t(16) << 20;
 
+/** For the end of a message about a path that does not exist: where the path of Windows is in WSL, "; the drive of
+ * Windows is /mnt/c in WSL: /mnt/c/a.exr"; empty for other paths. */
+DRYDOCK_API std::string DescribeWindowsPath(const std::string& Path);
+
 /** A file that is open for reading. */
 class DRYDOCK_API FRegularFile : private FNoncopyable
 {

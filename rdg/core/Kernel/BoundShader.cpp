@@ -28,8 +28,8 @@ const T* FindByName(const std::vector<FShaderResource>& Resources, const T* View
 /** The only arguments of hand-written kernels that there are: with what RunShader runs. */
 struct FNativeKernelCall : FNativeKernelArgs
 {
-	FNativeKernelCall(const FBoundShader& Bound, const FKernelArgs& Args)
-		: FNativeKernelArgs(Args, *Bound.Reflection, Bound.Parameters, Bound.PermutationId, Bound.Number)
+	FNativeKernelCall(const FBoundShader& Bound, const FKernelArgs& Args, uint64_t Number)
+		: FNativeKernelArgs(Args, *Bound.Reflection, Bound.Parameters, Bound.PermutationId, Number)
 		, Shader(Bound.Kernel)
 	{
 	}
@@ -98,11 +98,11 @@ FKernelArgs FBoundShader::GetArgs() const
 	return Args;
 }
 
-void FBoundShader::Run(const FKernelArgs& Args, const FKernelTile& Tile) const
+void FBoundShader::Run(const FKernelArgs& Args, const FKernelTile& Tile, uint64_t Other) const
 {
 	if (Native)
 	{
-		Native(FNativeKernelCall(*this, Args), Tile);
+		Native(FNativeKernelCall(*this, Args, Other ? Other : Number), Tile);
 	}
 	else
 	{

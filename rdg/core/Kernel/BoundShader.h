@@ -74,8 +74,10 @@ struct DRYDOCK_API FBoundShader
 	 * calling thread and those that work for it while this object lives and is not moved from. */
 	FKernelArgs GetArgs() const;
 
-	/** Runs one tile; not of a vertex shader. Thread-safe: any number of tiles at once. */
-	void Run(const FKernelArgs& Args, const FKernelTile& Tile) const;
+	/** Runs one tile; not of a vertex shader. Thread-safe: any number of tiles at once. Other, if not 0: a number of
+	 * GetNewNumber, for a run whose inputs are others than the pass's. */
+	void Run(const FKernelArgs& Args, const FKernelTile& Tile, uint64_t Other = 0) const;
+	static uint64_t GetNewNumber();
 
 	std::string Name;                                    // shader class, "FBloomSetupPS"
 	std::string EntryPoint;                              // "BloomSetupPS"
@@ -89,6 +91,7 @@ struct DRYDOCK_API FBoundShader
 	int32_t PermutationId = 0;
 	FShader* Permutation = nullptr;   // what was bound
 	uint64_t Number = GetNewNumber(); // of this binding
+	std::vector<std::string> Unset;   // what it reads and nobody has set yet, if parameters are set one by one
 
 	std::vector<std::vector<uint8_t>> ConstantData; // one block per constant buffer
 	std::vector<const uint8_t*> ConstantBuffers;
@@ -97,9 +100,6 @@ struct DRYDOCK_API FBoundShader
 	std::vector<FKernelSampler> Samplers;
 	std::vector<FKernelBuffer> Buffers;
 	std::vector<FKernelBuffer> RWBuffers;
-
-private:
-	static uint64_t GetNewNumber();
 };
 
 } // namespace Drydock

@@ -4,6 +4,8 @@
 
 #include "DebugKernel.h"
 
+#include <cstdio>
+
 using uint = uint32_t;
 using float16_t = float; // whose values are those of 16 bits
 
@@ -57,3 +59,17 @@ static uint64_t* DrydockWords;
 {
 	return DrydockDebugPixel(X, Y, DrydockPixel.z);
 }
+
+/** At the end of a run: a DrydockPixel that the debugger's user has set is the next one. */
+struct DrydockSetPixel
+{
+	~DrydockSetPixel()
+	{
+		const int* const Ran = DrydockRun->Position;
+		if (DrydockPixel.x != Ran[0] || DrydockPixel.y != Ran[1] || DrydockPixel.z != Ran[2])
+		{
+			std::fprintf(
+				stderr, "DrydockPixel: %s\n", DrydockDebugPixel(DrydockPixel.x, DrydockPixel.y, DrydockPixel.z));
+		}
+	}
+};

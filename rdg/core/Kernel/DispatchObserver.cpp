@@ -1,7 +1,5 @@
-// Keeps the one observer.
+// Keeps the observers.
 #include "DispatchObserver.h"
-
-#include <atomic>
 
 namespace Drydock
 {
@@ -9,25 +7,25 @@ namespace Drydock
 namespace
 {
 
-std::atomic<IDispatchObserver*> GObserver{nullptr};
+std::vector<IDispatchObserver*> GObservers;
 
 } // namespace
 
 IDispatchObserver::~IDispatchObserver() = default;
 
-IDispatchObserver* GetDispatchObserver()
+const std::vector<IDispatchObserver*>& GetDispatchObservers()
 {
-	return GObserver.load(std::memory_order_relaxed);
+	return GObservers;
 }
 
 FScopedDispatchObserver::FScopedDispatchObserver(IDispatchObserver& Observer)
 {
-	GObserver = &Observer;
+	GObservers.push_back(&Observer);
 }
 
 FScopedDispatchObserver::~FScopedDispatchObserver()
 {
-	GObserver = nullptr;
+	GObservers.pop_back();
 }
 
 } // namespace Drydock

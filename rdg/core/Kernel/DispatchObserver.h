@@ -17,10 +17,11 @@ public:
 	virtual void AfterDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
 };
 
-/** Null: there is no observer. */
-DRYDOCK_API IDispatchObserver* GetDispatchObserver();
+/** Those in scope, the outermost first: it sees each dispatch before the others, and is the last to see what became of
+ * it. */
+DRYDOCK_API const std::vector<IDispatchObserver*>& GetDispatchObservers();
 
-/** During its scope the observer sees every dispatch of the process. There can be one at a time. */
+/** During its scope the observer sees every dispatch of the process. */
 class DRYDOCK_API FScopedDispatchObserver : private FNoncopyable
 {
 public:

@@ -95,9 +95,9 @@ std::vector<std::string> ListShaderFiles()
 
 } // namespace
 
-void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory)
+void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory, bool bByDrydock)
 {
-	FShaderDirectory Mapping{VirtualDirectory, RealDirectory};
+	FShaderDirectory Mapping{VirtualDirectory, RealDirectory, bByDrydock};
 	while (!Mapping.Virtual.empty() && Mapping.Virtual.back() == '/')
 	{
 		Mapping.Virtual.pop_back();

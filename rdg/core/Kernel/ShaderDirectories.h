@@ -9,8 +9,10 @@
 namespace Drydock
 {
 
-/** Maps a virtual directory ("/Project") to a directory on disk. Later mappings of the same prefix win. */
-DRYDOCK_API void AddShaderDirectory(const std::string& VirtualDirectory, const std::string& RealDirectory);
+/** Maps a virtual directory ("/Project") to a directory on disk. Later mappings of the same prefix win. bByDrydock: in
+ * place of a plugin that may do so itself. */
+DRYDOCK_API void AddShaderDirectory(
+	const std::string& VirtualDirectory, const std::string& RealDirectory, bool bByDrydock = false);
 
 /** Forgets all mappings that were added after the first Keep ones. */
 DRYDOCK_API void ForgetShaderDirectories(size_t Keep);
@@ -28,6 +30,7 @@ struct FShaderDirectory
 {
 	std::string Virtual; // no slash at the end
 	std::string Real;
+	bool bByDrydock = false;
 };
 
 /** Every mapping, in the order in which they were made. */

@@ -178,6 +178,9 @@ struct FKernelLimits
 	void (*OnEndlessLoop)(const char* File, int32_t Line, int32_t X, int32_t Y, int32_t Z);
 };
 
+/** The target of SV_Depth; it lies behind those of colours. */
+constexpr int32_t GDepthTarget = 8;
+
 /** Everything a kernel reads. Slots are the indices of the shader's FShaderReflection lists. */
 struct FKernelArgs
 {
@@ -187,7 +190,7 @@ struct FKernelArgs
 	const FKernelSampler* Samplers;
 	const FKernelBuffer* Buffers;
 	const FKernelBuffer* RWBuffers;
-	const FKernelTarget* Targets;           // pixel shaders: NumTargets of them, index = SV_TargetN
+	const FKernelTarget* Targets;           // pixel shaders: NumTargets of them, index = SV_TargetN or GDepthTarget
 	const FKernelInterpolant* Interpolants; // pixel shaders: index = input location
 	int32_t NumTargets;
 	FKernelCounters* Counters;

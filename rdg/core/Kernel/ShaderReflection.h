@@ -100,10 +100,13 @@ struct FShaderReflection
 	std::vector<FShaderResource> Samplers;
 	std::vector<FShaderResource> Buffers;
 	std::vector<FShaderResource> RWBuffers;
-	int32_t NumTargets = 0;      // pixel: 1 + highest SV_TargetN written
-	uint32_t IntegerTargets = 0; // bit N: SV_TargetN is of integers
-	int32_t NumInterpolants = 0; // pixel: 1 + highest TEXCOORD read; vertex: written
+	int32_t NumTargets = 0;           // pixel: 1 + highest SV_TargetN written
+	uint32_t IntegerTargets = 0;      // bit N: SV_TargetN is of integers
+	bool bWritesDepth = false;        // pixel: SV_Depth
+	int32_t NumInterpolants = 0;      // pixel: 1 + highest interpolant read (GMaxInterpolants); vertex: written
+	uint32_t IntegerInterpolants = 0; // bit N: the interpolant N is of integers
 	bool bUsesDiscard = false;
+	bool bLoadsStored = false;   // loads texels of a texture that it may store to, or changes them atomically
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h
 	bool bGroupsInOrder = false; // compute: groups run one after the other
 	std::string PartedBarrier; // compute: "X.usf:12" of a barrier that not all threads of a group come to; empty: none

@@ -6,6 +6,7 @@
 #include "ShaderKernel.h"
 
 #include <cstdint>
+#include <string>
 
 namespace Drydock
 {
@@ -13,6 +14,8 @@ namespace Drydock
 /** Attributes of a vertex declaration, and TEXCOORDs of a vertex shader. */
 constexpr int32_t GMaxVertexAttributes = 16;
 constexpr int32_t GMaxTexCoords = 16;
+/** Outputs of a vertex shader beside the position: TEXCOORD0 to 15, then COLOR0 to 3. */
+constexpr int32_t GMaxInterpolants = GMaxTexCoords + 4;
 
 /** The inputs that a vertex shader reads besides its parameters. */
 struct FVertexInput
@@ -25,8 +28,8 @@ struct FVertexInput
 /** The outputs that a vertex shader writes. */
 struct FVertexOutput
 {
-	float Position[4] = {};                 // SV_POSITION, clip space
-	float TexCoords[GMaxTexCoords][4] = {}; // by the n of TEXCOORDn; 0 where it writes none
+	float Position[4] = {};                     // SV_POSITION, clip space
+	double TexCoords[GMaxInterpolants][4] = {}; // floats and integers; 0 where it writes none
 };
 
 class DRYDOCK_API FVertexProgram
@@ -39,8 +42,15 @@ public:
 
 	/** Bit n: it reads ATTRIBUTEn. */
 	virtual uint32_t GetAttributesRead() const = 0;
-	/** Bit n: it writes TEXCOORDn. */
+	/** Bit n: it writes TEXCOORDn; from GMaxTexCoords on, COLORn. */
 	virtual uint32_t GetTexCoordsWritten() const = 0;
 };
+
+/** "TEXCOORD3" or "COLOR0", by the place among the interpolants. */
+inline std::string GetInterpolantName(int32_t Index)
+{
+	const bool bColor = Index >= GMaxTexCoords;
+	return (bColor ? "COLOR" : "TEXCOORD") + std::to_string(bColor ? Index - GMaxTexCoords : Index);
+}
 
 } // namespace Drydock

@@ -52,4 +52,42 @@ uint64 GetBytesBoundForWriting(const FBoundShader& Shader, uint64 NumThreads)
 	return Bytes;
 }
 
+std::string FindTooManyGroups(const FBoundShader& Shader, const uint32 (&Counts)[3])
+{
+	constexpr uint64 Several = 4;
+	const FShaderReflection& Reflection = Shader.GetReflection();
+	uint64 Taken = 0;
+	const FKernelMip* Largest = nullptr;
+	std::string Name;
+	bool bCounts = Reflection.bGroups || !Shader.RWBuffers.empty();
+	for (size_t Slot = 0; Slot < std::min(Shader.RWTextures.size(), Reflection.RWTextures.size()); ++Slot)
+	{
+		const FKernelMip& Mip = Shader.RWTextures[Slot].Mips[0];
+		const int32 Sizes[3] = {Mip.SizeX, Mip.SizeY, Mip.SizeZ};
+		uint64 Groups = 1;
+		for (int32 Axis = 0; Axis < 3; ++Axis)
+		{
+			Groups *= uint64((Sizes[Axis] + Reflection.GroupSize[Axis] - 1) / Reflection.GroupSize[Axis]);
+		}
+		bCounts = bCounts || Reflection.RWTextures[Slot].Scalar != EShaderScalar::Float;
+		const bool bLarger = !Largest || int64(Mip.SizeX) * Mip.SizeY > int64(Largest->SizeX) * Largest->SizeY;
+		Name = bLarger ? Reflection.RWTextures[Slot].Name : Name;
+		Largest = bLarger ? &Mip : Largest;
+		Taken += Groups;
+	}
+	if (bCounts || !Largest || uint64(Counts[0]) * Counts[1] * Counts[2] < Several * Taken)
+	{
+		return {};
+	}
+	const auto List = [](auto X, auto Y)
+	{
+		return std::to_string(X) + " x " + std::to_string(Y);
+	};
+	return "the dispatch has " + List(Counts[0], Counts[1]) + " groups of " +
+		   List(Reflection.GroupSize[0], Reflection.GroupSize[1]) + " threads, and " + Name + " has " +
+		   List(Largest->SizeX, Largest->SizeY) + " texels, which " + std::to_string(Taken) +
+		   (Taken == 1 ? " group covers" : " groups cover") +
+		   ": a dispatch counts groups, as FComputeShaderUtils::GetGroupCount(Size, GroupSize) gives them";
+}
+
 } // namespace Drydock

@@ -14,4 +14,8 @@ uint64 GetBytesBoundForReading(const FBoundShader& Shader);
  * whole. */
 uint64 GetBytesBoundForWriting(const FBoundShader& Shader, uint64 NumThreads);
 
+/** A message where a dispatch has four times the groups that its textures take, or more; else empty. Threads that share
+ * memory or count in buffers or integers may well be more than what they write. */
+std::string FindTooManyGroups(const FBoundShader& Shader, const uint32 (&Counts)[3]);
+
 } // namespace Drydock

@@ -2,6 +2,8 @@
 // corners.
 #include "CommonRenderResources.h"
 
+#include "RenderUtils.h"
+
 #include <cstddef>
 #include <cstring>
 #include <iterator>
@@ -86,3 +88,24 @@ FRHIBuffer* GetTwoTrianglesIndexBuffer()
 }
 
 } // namespace Drydock
+
+FVertexDeclarationRHIRef& GetVertexDeclarationFVector2()
+{
+	static FVertexDeclarationRHIRef Declaration =
+		PipelineStateCache::GetOrCreateVertexDeclaration({FVertexElement(0, 0, VET_Float2, 0, sizeof(FVector2f))});
+	return Declaration;
+}
+
+FVertexDeclarationRHIRef& GetVertexDeclarationFVector3()
+{
+	static FVertexDeclarationRHIRef Declaration =
+		PipelineStateCache::GetOrCreateVertexDeclaration({FVertexElement(0, 0, VET_Float3, 0, sizeof(FVector3f))});
+	return Declaration;
+}
+
+FVertexDeclarationRHIRef& GetVertexDeclarationFVector4()
+{
+	static FVertexDeclarationRHIRef Declaration =
+		PipelineStateCache::GetOrCreateVertexDeclaration({FVertexElement(0, 0, VET_Float4, 0, sizeof(FVector4f))});
+	return Declaration;
+}

@@ -91,9 +91,10 @@ FIntRect GetCopiedRect(const FRHITexture& Source, const FRHICopyTextureInfo& Inf
 
 } // namespace
 
-void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader*)
+void FRHIComputeCommandList::SetComputePipelineState(FRHIComputeShader* Shader)
 {
 	BoundCompute = Drydock::FBoundShader();
+	ComputeShader = Shader;
 }
 
 void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shader)
@@ -104,6 +105,7 @@ void FRHIComputeCommandList::SetBoundComputeShader(Drydock::FBoundShader&& Shade
 void FRHIComputeCommandList::DispatchComputeShader(
 	uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
 {
+	Drydock::BindIfNothingIs(BoundCompute, ComputeShader);
 	checkf(BoundCompute.IsValid(), TEXT("DispatchComputeShader without a shader: call SetShaderParameters first"));
 	checkf(BoundCompute.GetReflection().Stage == Drydock::EShaderStage::Compute,
 		TEXT("DispatchComputeShader: %s is not a compute shader"), BoundCompute.Name.c_str());
@@ -121,6 +123,10 @@ void FRHIComputeCommandList::DispatchComputeShader(
 	if (NumThreads == 0)
 	{
 		return;
+	}
+	if (const std::string Fault = Drydock::FindTooManyGroups(BoundCompute, Counts); !Fault.empty())
+	{
+		Counters.AddRemark({Drydock::ESeverity::Note, 2056, Fault, {}, 0, 0, "shader class " + BoundCompute.Name});
 	}
 	// Whole groups per tile: threads of one group share a tile.
 	const FIntPoint Chosen = ChooseTileSize(Whole);
@@ -140,14 +146,15 @@ void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentB
 void FRHIComputeCommandList::RunTiles(
 	const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const FKernelTile& Whole, FIntVector TileSize)
 {
+	Drydock::RequireAllSet(Shader);
 	// Behind an early return, as every compute shader has one, only who runs the shader knows how many threads tap.
 	const int32 StaticSamples = Shader.GetReflection().StaticSamples;
 	const bool bMeasure = StaticSamples < 0 && !Shader.Native;
 	std::atomic<uint64> MeasuredTaps{0};
 	const uint64 FallbacksBefore = Drydock::GetNativeFallbacks();
 	bool bOnBackend = false;
-	Drydock::IDispatchObserver* const Observer = Drydock::GetDispatchObserver();
-	if (Observer)
+	const std::vector<Drydock::IDispatchObserver*>& Observers = Drydock::GetDispatchObservers();
+	for (Drydock::IDispatchObserver* const Observer : Observers)
 	{
 		Observer->BeforeDispatch(Shader, Args, Whole);
 	}
@@ -174,9 +181,9 @@ void FRHIComputeCommandList::RunTiles(
 				Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
 		}
 	}
-	if (Observer)
+	for (auto Observer = Observers.rbegin(); Observer != Observers.rend(); ++Observer)
 	{
-		Observer->AfterDispatch(Shader, Args, Whole);
+		(*Observer)->AfterDispatch(Shader, Args, Whole);
 	}
 
 	const uint64 Pixels =
@@ -387,6 +394,16 @@ void FRHICommandList::DrawRect(
 		return;
 	}
 	const std::vector<Drydock::FKernelTarget> Targets = MakeTargets();
+	const int32 NumBound = RenderPass.GetNumColorRenderTargets();
+	if (const int32 NumWritten = BoundPixel.GetReflection().NumTargets; NumWritten > NumBound && NumBound > 0)
+	{
+		const std::string Last = std::to_string(NumWritten - 1);
+		Counters.AddRemark({Drydock::ESeverity::Warning, 6023,
+			"the shader writes SV_Target" + Last + ", and the pass binds " + std::to_string(NumBound) +
+				(NumBound == 1 ? " render target" : " render targets") +
+				": what it writes there is lost; set RenderTargets[" + Last + "]",
+			{}, 0, 0, "shader class " + BoundPixel.Name});
+	}
 	Drydock::FKernelArgs Args = BoundPixel.GetArgs();
 	Args.Targets = Targets.data();
 	Args.NumTargets = int32(Targets.size());
@@ -400,6 +417,10 @@ void FRHICommandList::DrawRect(
 		{
 			Counters.AddWrite(Entry.RenderTarget, Entry.MipIndex, Rect);
 		}
+	}
+	if (Targets.size() > size_t(Drydock::GDepthTarget) && NumInstances > 0)
+	{
+		Counters.AddWrite(RenderPass.DepthStencilRenderTarget.DepthStencilTarget, 0, Rect);
 	}
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{

@@ -114,6 +114,9 @@ public:
 	void EndUAVOverlap() {}
 	void SubmitCommandsHint() {}
 
+	/** Ours: the shader that is bound to the stage. */
+	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
+
 protected:
 	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. */
 	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
@@ -123,12 +126,22 @@ private:
 	void NoteCleared(const FRHIUnorderedAccessView* View);
 
 	Drydock::FBoundShader BoundCompute;
+	FRHIComputeShader* ComputeShader = nullptr;
 };
 
 /** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
 class FRHIBatchedShaderParameters
 {
 public:
+	FRHIBatchedShaderParameters() = default;
+	FRHIBatchedShaderParameters(FRHIBatchedShaderParameters&&) = default;
+	FRHIBatchedShaderParameters& operator=(FRHIBatchedShaderParameters&&) = default;
+	/** Copies only what holds no parameters yet (checked), as plugins copy the scratch parameters of a list. */
+	FRHIBatchedShaderParameters(const FRHIBatchedShaderParameters& Other)
+	{
+		checkf(!Other.HasParameters(), TEXT("a copy of batched parameters that are set already"));
+	}
+
 	bool HasParameters() const { return Bound.IsValid(); }
 	void Reset() { Bound = Drydock::FBoundShader(); }
 
@@ -156,6 +169,10 @@ public:
 
 	/** The same of the pipeline state's vertex shader. */
 	void SetBoundVertexShader(Drydock::FBoundShader&& Shader) { Vertices.Bound = std::move(Shader); }
+
+	using FRHIComputeCommandList::GetBound;
+	Drydock::FBoundShader& GetBound(FRHIPixelShader*) { return BoundPixel; }
+	Drydock::FBoundShader& GetBound(FRHIVertexShader*) { return Vertices.Bound; }
 
 	/** Empty; the list's own, for one shader at a time. */
 	FRHIBatchedShaderParameters& GetScratchShaderParameters();
@@ -203,7 +220,7 @@ private:
 	void DrawViewport(uint32 NumInstances);
 	void DrawRect(const FIntRect& Rect, const std::vector<Drydock::FKernelInterpolant>& Inputs, uint32 NumInstances);
 	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
-	void CheckDraw() const;
+	void CheckDraw();
 	std::vector<Drydock::FKernelTarget> MakeTargets() const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;
@@ -222,6 +239,18 @@ private:
 	bool bInsideRenderPass = false;
 };
 
+/** How far the engine flushes: there is nothing to wait for here. */
+namespace EImmediateFlushType
+{
+enum Type
+{
+	WaitForOutstandingTasksOnly,
+	DispatchToRHIThread,
+	FlushRHIThread,
+	FlushRHIThreadFlushResources,
+};
+} // namespace EImmediateFlushType
+
 class DRYDOCK_API FRHICommandListImmediate : public FRHICommandList
 {
 public:
@@ -235,7 +264,7 @@ public:
 	 * floats and the flags say LinearToGamma. */
 	void ReadSurfaceData(FRHITexture* Texture, FIntRect Rect, TArray<FColor>& OutData, FReadSurfaceDataFlags Flags);
 
-	void ImmediateFlush(int32 = 0) {}
+	void ImmediateFlush(EImmediateFlushType::Type = EImmediateFlushType::FlushRHIThread) {}
 	void BlockUntilGPUIdle() {}
 	void SubmitAndBlockUntilGPUIdle() {}
 };
@@ -252,11 +281,16 @@ inline FRHICommandListImmediate& GetImmediateCommandList_ForRenderCommand()
 	return FRHICommandListExecutor::GetImmediateCommandList();
 }
 
-DRYDOCK_API FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc);
+DRYDOCK_API_RHICreateTexture DRYDOCK_API FTextureRHIRef RHICreateTexture(const FRHITextureCreateDesc& Desc);
 DRYDOCK_API FBufferRHIRef RHICreateBuffer(
 	uint32 Size, EBufferUsageFlags Usage, uint32 Stride, ERHIAccess State, const FRHIResourceCreateInfo& Info);
 DRYDOCK_API FBufferRHIRef RHICreateVertexBuffer(
 	uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
+inline FBufferRHIRef RHICreateIndexBuffer(
+	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info)
+{
+	return FRHICommandListExecutor::GetImmediateCommandList().CreateIndexBuffer(Stride, Size, Usage, Info);
+}
 DRYDOCK_API FBufferRHIRef RHICreateStructuredBuffer(
 	uint32 Stride, uint32 Size, EBufferUsageFlags Usage, const FRHIResourceCreateInfo& Info);
 DRYDOCK_API FShaderResourceViewRHIRef RHICreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);

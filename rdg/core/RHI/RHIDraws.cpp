@@ -98,17 +98,20 @@ std::vector<Drydock::FKernelInterpolant> FRHICommandList::MakeInterpolants(int32
 	return Result;
 }
 
-void FRHICommandList::CheckDraw() const
+void FRHICommandList::CheckDraw()
 {
 	checkf(bInsideRenderPass, TEXT("a draw outside a render pass"));
+	Drydock::BindIfNothingIs(BoundPixel, PixelShader);
 	checkf(BoundPixel.IsValid(), TEXT("a draw without a pixel shader: call SetShaderParameters first"));
 	checkf(BoundPixel.GetReflection().Stage == Drydock::EShaderStage::Pixel, TEXT("a draw: %s is not a pixel shader"),
 		BoundPixel.Name.c_str());
+	// A depth that the shader computes is written; the rectangle's own is not known.
+	const bool bWrites = BoundPixel.GetReflection().bWritesDepth;
 	checkf(!RenderPass.DepthStencilRenderTarget.DepthStencilTarget || !DepthStencilState ||
-			   !DepthStencilState->IsTesting(),
-		TEXT(
-			"%s: depth and stencil tests and writes are not simulated; use TStaticDepthStencilState<false, CF_Always>"),
-		BoundPixel.Name.c_str());
+			   !DepthStencilState->IsTesting(bWrites),
+		TEXT("%s: depth and stencil tests are not simulated, nor writes but those of SV_Depth; use "
+			 "TStaticDepthStencilState<%s, CF_Always>"),
+		BoundPixel.Name.c_str(), bWrites ? TEXT("true") : TEXT("false"));
 }
 
 std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
@@ -156,12 +159,21 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
 		Target.AlphaSource = Drydock::EKernelBlendFactor(Blend.AlphaSrcBlend);
 		Target.AlphaDest = Drydock::EKernelBlendFactor(Blend.AlphaDestBlend);
 	}
+	FRHITexture* const Depth = RenderPass.DepthStencilRenderTarget.DepthStencilTarget;
+	const bool bDepth = Depth && DepthStencilState && DepthStencilState->GetInitializer().bEnableDepthWrite;
+	if (bDepth && Reflection.bWritesDepth)
+	{
+		Targets.resize(Drydock::GDepthTarget + 1, NoTarget);
+		Targets[Drydock::GDepthTarget].Texture = Depth->GetKernelView(0, 1, 0);
+		Targets[Drydock::GDepthTarget].WriteMask = 1;
+	}
 	return Targets;
 }
 
 void FRHICommandList::DrawViewport(uint32 NumInstances)
 {
 	CheckDraw();
+	Vertices.CheckTexCoords(BoundPixel);
 	DrawRect(GetDrawRect(), MakeInterpolants(BoundPixel.GetReflection().NumInterpolants), NumInstances);
 }
 
@@ -191,6 +203,7 @@ void FRHICommandList::DrawScreenRectangle(const void* Parameters, uint32 NumByte
 	if (!HasVertexShader())
 	{
 		CheckDraw();
+		Vertices.CheckTexCoords(BoundPixel);
 		Drydock::FDrawnRectangles Drawn =
 			Drydock::FindDrawnRectangles(RunScreenPassVS(Parameters, NumBytes), Viewport, GetDrawRect(), 1);
 		if (!Drawn.Fault.empty())
@@ -205,10 +218,8 @@ void FRHICommandList::DrawScreenRectangle(const void* Parameters, uint32 NumByte
 		}
 		return;
 	}
-	if (!Vertices.Bound.IsValid())
-	{
-		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
-	}
+	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
+	Drydock::RequireAllSet(Vertices.Bound);
 	const std::vector<Drydock::FShaderConstantBuffer>& Buffers = Vertices.Bound.GetReflection().ConstantBuffers;
 	for (size_t Buffer = 0; Buffer < Buffers.size(); ++Buffer)
 	{
@@ -232,13 +243,11 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 		return;
 	}
 	CheckDraw();
-	if (!Vertices.Bound.IsValid())
-	{
-		Vertices.Bound = Drydock::BindVertexShader(*Vertices.Shader->GetShaderToRun());
-	}
+	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
+	Drydock::RequireAllSet(Vertices.Bound);
 	Vertices.CheckInput(Draw);
 	const int32 NumTexCoords = BoundPixel.GetReflection().NumInterpolants;
-	Vertices.CheckTexCoords(NumTexCoords, BoundPixel.Name);
+	Vertices.CheckTexCoords(BoundPixel);
 
 	const uint64 NumTriangles = uint64(Draw.NumPrimitives) * std::max(1u, NumInstances);
 	Drydock::FDrawnRectangles Drawn;
@@ -255,8 +264,8 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	Counters.Ran |= Drydock::EShaderRun::Interpreter;
 	for (uint32 Instance = 0; Instance < std::max(1u, NumInstances) && Drawn.Fault.empty(); ++Instance)
 	{
-		Drydock::FDrawnRectangles OfInstance =
-			Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance), Viewport, Bounds, NumTexCoords);
+		Drydock::FDrawnRectangles OfInstance = Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance),
+			Viewport, Bounds, NumTexCoords, BoundPixel.GetReflection().IntegerInterpolants);
 		Drawn.Fault = OfInstance.Fault;
 		std::move(OfInstance.Rectangles.begin(), OfInstance.Rectangles.end(), std::back_inserter(Drawn.Rectangles));
 	}

@@ -153,10 +153,11 @@ public:
 	}
 	const FDepthStencilStateInitializerRHI& GetInitializer() const { return Initializer; }
 
-	/** The state could reject or write something where a depth-stencil target is bound. */
-	bool IsTesting() const
+	/** The state could reject or write something where a depth-stencil target is bound. bMayWrite: depth may be
+	 * written. */
+	bool IsTesting(bool bMayWrite = false) const
 	{
-		return Initializer.DepthTest != CF_Always || Initializer.bEnableDepthWrite ||
+		return Initializer.DepthTest != CF_Always || (Initializer.bEnableDepthWrite && !bMayWrite) ||
 			   Initializer.bEnableFrontFaceStencil || Initializer.bEnableBackFaceStencil;
 	}
 
@@ -243,14 +244,18 @@ DRYDOCK_API FVertexDeclarationRHIRef RHICreateVertexDeclaration(const FVertexDec
 class DRYDOCK_API FRHIShader : public FRHIResource
 {
 public:
-	explicit FRHIShader(EShaderFrequency InFrequency)
+	explicit FRHIShader(EShaderFrequency InFrequency, FShader* InPermutation = nullptr)
 		: Frequency(InFrequency)
+		, Permutation(InPermutation)
 	{
 	}
 	EShaderFrequency GetFrequency() const { return Frequency; }
+	/** The shader whose handle this is. */
+	FShader* GetPermutation() const { return Permutation; }
 
 private:
 	EShaderFrequency Frequency;
+	FShader* Permutation;
 };
 
 class DRYDOCK_API FRHIGraphicsShader : public FRHIShader
@@ -264,7 +269,7 @@ class DRYDOCK_API FRHIVertexShader : public FRHIGraphicsShader
 public:
 	/** ShaderToRun: null for the engine's rectangle of screen passes, which draws know without running it. */
 	explicit FRHIVertexShader(FShader* InShaderToRun = nullptr)
-		: FRHIGraphicsShader(SF_Vertex)
+		: FRHIGraphicsShader(SF_Vertex, InShaderToRun)
 		, ShaderToRun(InShaderToRun)
 	{
 	}
@@ -277,8 +282,8 @@ private:
 class DRYDOCK_API FRHIPixelShader : public FRHIGraphicsShader
 {
 public:
-	FRHIPixelShader()
-		: FRHIGraphicsShader(SF_Pixel)
+	explicit FRHIPixelShader(FShader* InPermutation = nullptr)
+		: FRHIGraphicsShader(SF_Pixel, InPermutation)
 	{
 	}
 };
@@ -295,8 +300,8 @@ public:
 class DRYDOCK_API FRHIComputeShader : public FRHIShader
 {
 public:
-	FRHIComputeShader()
-		: FRHIShader(SF_Compute)
+	explicit FRHIComputeShader(FShader* InPermutation = nullptr)
+		: FRHIShader(SF_Compute, InPermutation)
 	{
 	}
 };

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "Misc/EngineApi.h"
 #include "RHIResource.h"
 #include "RHITextureDesc.h"
 #include "ShaderKernel.h"
@@ -124,7 +125,7 @@ using FRHITexture2DArray = FRHITexture;
 using FRHITexture3D = FRHITexture;
 using FRHITextureCube = FRHITexture;
 using FTextureRHIRef = TRefCountPtr<FRHITexture>;
-using FTexture2DRHIRef = FTextureRHIRef;
+using FTexture2DRHIRef DRYDOCK_API_FTexture2DRHIRef = FTextureRHIRef;
 using FTexture2DArrayRHIRef = FTextureRHIRef;
 using FTexture3DRHIRef = FTextureRHIRef;
 using FTextureCubeRHIRef = FTextureRHIRef;

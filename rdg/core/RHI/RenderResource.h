@@ -27,6 +27,16 @@ private:
 	bool bInitialized = false;
 };
 
+/** At once: one thread plays all parts. */
+inline void BeginInitResource(FRenderResource* Resource)
+{
+	Resource->InitResource();
+}
+inline void BeginReleaseResource(FRenderResource* Resource)
+{
+	Resource->ReleaseResource();
+}
+
 namespace Drydock
 {
 

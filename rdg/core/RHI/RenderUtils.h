@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PixelFormat.h"
+#include "RHIStates.h"
 #include "RenderResource.h"
 
 /** Alpha of the scene colour reaches the tonemapper; drydock always keeps it. */
@@ -9,3 +10,8 @@ inline bool IsPostProcessingWithAlphaChannelSupported()
 {
 	return true;
 }
+
+/** ATTRIBUTE0: so many floats. */
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector2();
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector3();
+DRYDOCK_API FVertexDeclarationRHIRef& GetVertexDeclarationFVector4();

@@ -85,4 +85,15 @@ public:
 /** The module "Renderer". */
 class DRYDOCK_API IRendererModule : public IModuleInterface
 {
+public:
+#define DRYDOCK_NO_DELEGATE(Name) \
+	DRYDOCK_ABSENT( \
+		Name, "add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)")
+	template<typename... Arguments>
+	DRYDOCK_NO_DELEGATE(RegisterPostOpaqueRenderDelegate)
+	int RegisterPostOpaqueRenderDelegate(Arguments&&...);
+	template<typename... Arguments>
+	DRYDOCK_NO_DELEGATE(RegisterOverlayRenderDelegate)
+	int RegisterOverlayRenderDelegate(Arguments&&...);
+#undef DRYDOCK_NO_DELEGATE
 };

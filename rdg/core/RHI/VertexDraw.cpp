@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstring>
 #include <map>
 
@@ -16,7 +17,7 @@ namespace Drydock
 namespace
 {
 
-std::atomic<FVertexShaderBinder> GBinder{nullptr};
+std::atomic<FShaderBinder> GBinder{nullptr};
 
 [[noreturn]] void ThrowInput(const std::string& Message)
 {
@@ -116,16 +117,27 @@ FDiagnostic MakeVertexDiagnostic(ESeverity Severity, EVertexError Code, const st
 	return Diagnostic;
 }
 
-void SetVertexShaderBinder(FVertexShaderBinder Binder)
+void SetShaderBinder(FShaderBinder Binder)
 {
 	GBinder = Binder;
 }
 
-FBoundShader BindVertexShader(FShader& Shader)
+void BindIfNothingIs(FBoundShader& Bound, const FRHIShader* Shader)
 {
-	const FVertexShaderBinder Binder = GBinder;
-	checkf(Binder, TEXT("nothing binds vertex shaders"));
-	return Binder(Shader);
+	const FShaderBinder Binder = GBinder;
+	if (!Bound.IsValid() && Shader && Shader->GetPermutation() && Binder)
+	{
+		Bound = Binder(*Shader->GetPermutation());
+	}
+}
+
+void RequireAllSet(const FBoundShader& Bound)
+{
+	if (!Bound.Unset.empty())
+	{
+		ThrowInput("shader " + Bound.Name + " reads '" + Bound.Unset.front() +
+				   "', which nobody has set: set it after the pipeline state and before the draw or dispatch");
+	}
 }
 
 void FVertexState::SetPipeline(const FGraphicsPipelineStateInitializer& Initializer)
@@ -187,13 +199,20 @@ void FVertexState::CheckInput(const FVertexDraw& Draw) const
 	}
 }
 
-void FVertexState::CheckTexCoords(int32 NumRead, const std::string& PixelShader) const
+void FVertexState::CheckTexCoords(const FBoundShader& Pixel) const
 {
-	if (NumRead > 0 && !(Bound.Vertex->GetTexCoordsWritten() >> (NumRead - 1) & 1))
+	const FShaderReflection& Read = Pixel.GetReflection();
+	const uint32 Written = Bound.IsValid() ? Bound.Vertex->GetTexCoordsWritten() : (1u << GMaxTexCoords) - 1;
+	const uint32 Integers = Bound.IsValid() ? Bound.GetReflection().IntegerInterpolants : 0;
+	const int32 Last = Read.NumInterpolants - 1;
+	const uint32 Missing = Last >= 0 && !(Written >> Last & 1) ? 1u << Last : Read.IntegerInterpolants & ~Integers;
+	if (Missing != 0)
 	{
+		const int32 Index = std::countr_zero(Missing);
 		throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexToPixel,
-						 "pixel shader " + PixelShader + " reads TEXCOORD" + std::to_string(NumRead - 1) +
-							 ", which vertex shader " + Bound.Name + " does not write"),
+						 "pixel shader " + Pixel.Name + " reads " + GetInterpolantName(Index) +
+							 (Read.IntegerInterpolants >> Index & 1 ? " as integers" : "") + ", which vertex shader " +
+							 (Bound.IsValid() ? Bound.Name : "FScreenPassVS") + " does not write"),
 			ExitUsage);
 	}
 }

@@ -56,8 +56,9 @@ struct DRYDOCK_API FVertexState
 	 * shader reads one, and an element and a buffer for every attribute that it reads. */
 	void CheckInput(const FVertexDraw& Draw) const;
 
-	/** Throws FError (DD2132) where a pixel shader that reads that many TEXCOORDs reads more than the shader writes. */
-	void CheckTexCoords(int32 NumRead, const std::string& PixelShader) const;
+	/** Throws FError (DD2132) where a pixel shader reads a TEXCOORD or COLOR that the vertex shader, or the engine's
+	 * where none is bound, does not write, or integers where floats are written. */
+	void CheckTexCoords(const FBoundShader& Pixel) const;
 
 	TRefCountPtr<FRHIVertexShader> Shader;
 	TRefCountPtr<FRHIVertexDeclaration> Declaration;
@@ -72,11 +73,14 @@ private:
 	FVertexInput Fetch(const FVertexDraw& Draw, uint32 VertexId, uint32 Instance) const;
 };
 
-/** Makes what draws run of a vertex shader for which SetShaderParameters was not called. Throws FError (DD2131) where
- * it reads parameters. Set once, by the code that binds shaders. */
-using FVertexShaderBinder = FBoundShader (*)(FShader& Shader);
-DRYDOCK_API void SetVertexShaderBinder(FVertexShaderBinder Binder);
-DRYDOCK_API FBoundShader BindVertexShader(FShader& Shader);
+/** Makes what draws and dispatches run of a shader whose parameters nobody has set. Throws FError (DD2131) where it
+ * reads parameters. Set once, by the code that binds shaders. */
+using FShaderBinder = FBoundShader (*)(FShader& Shader);
+DRYDOCK_API void SetShaderBinder(FShaderBinder Binder);
+/** Binds the shader of the pipeline state, if nothing is bound. */
+DRYDOCK_API void BindIfNothingIs(FBoundShader& Bound, const FRHIShader* Shader);
+/** Throws FError (DD2131) where parameters are set one by one and one that is read is not. */
+DRYDOCK_API void RequireAllSet(const FBoundShader& Bound);
 
 /** A message of a draw, with the words of the pass that runs. */
 DRYDOCK_API FDiagnostic MakeVertexDiagnostic(ESeverity Severity, EVertexError Code, const std::string& Message);

@@ -45,11 +45,12 @@ class FFinder
 {
 public:
 	FFinder(const std::vector<FVertexOutput>& InVertices, const FIntRect& InViewport, const FIntRect& InBounds,
-		int32_t InNumTexCoords)
+		int32_t InNumTexCoords, uint32_t InIntegers)
 		: Vertices(InVertices)
 		, Viewport(InViewport)
 		, Bounds(InBounds)
 		, NumTexCoords(InNumTexCoords)
+		, Integers(InIntegers)
 	{
 	}
 
@@ -102,6 +103,14 @@ private:
 			{
 				Result.Fault = "the z of SV_POSITION lies outside 0..w, which is clipped away";
 			}
+			for (int32 Index = 0; Index < NumTexCoords; ++Index)
+			{
+				const double* const First = Vertices[0].TexCoords[Index];
+				if ((Integers >> Index & 1) && !std::equal(First, First + 4, Vertex.TexCoords[Index]))
+				{
+					Result.Fault = "the integers of " + GetInterpolantName(Index) + " are not the same at all vertices";
+				}
+			}
 			if (!Result.Fault.empty())
 			{
 				return false;
@@ -147,8 +156,8 @@ private:
 		const int32 Bent = FindBent(Six, Interpolants);
 		if (Bent >= 0)
 		{
-			Result.Fault = "TEXCOORD" + std::to_string(Bent) +
-						   " does not run evenly over the rectangle: its four corners lie on no plane";
+			Result.Fault =
+				GetInterpolantName(Bent) + " does not run evenly over the rectangle: its four corners lie on no plane";
 			return true;
 		}
 		const FIntRect Rect(GetFirstPixel(Left), GetFirstPixel(Top), GetFirstPixel(Right), GetFirstPixel(Bottom));
@@ -248,16 +257,17 @@ private:
 	const FIntRect Viewport;
 	const FIntRect Bounds;
 	const int32 NumTexCoords;
+	const uint32 Integers;
 	std::vector<FCorner> Corners;
 	FDrawnRectangles Result;
 };
 
 } // namespace
 
-FDrawnRectangles FindDrawnRectangles(
-	const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport, const FIntRect& Bounds, int32_t NumTexCoords)
+FDrawnRectangles FindDrawnRectangles(const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport,
+	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers)
 {
-	return FFinder(Vertices, Viewport, Bounds, NumTexCoords).Run();
+	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers).Run();
 }
 
 } // namespace Drydock

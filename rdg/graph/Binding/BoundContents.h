@@ -5,6 +5,7 @@
 #include "RHIResources.h"
 #include "ShaderBindingPlan.h"
 #include "ShaderParameterMacros.h"
+#include "UniformBufferStructs.h"
 
 #include <cstring>
 
@@ -39,7 +40,7 @@ inline const void* GetContents(const FBindingSource& Source, const void* Paramet
 		const FRDGUniformBuffer* Buffer = ReadPointer<const FRDGUniformBuffer>(Parameters, Source.Offset);
 		return Buffer ? Buffer->GetContents() : nullptr;
 	}
-	return Parameters;
+	return Source.bOfFrame ? GetFrameUniformBufferContents() : Parameters;
 }
 
 /** The view that a RWTexture's or RWBuffer's member holds. */

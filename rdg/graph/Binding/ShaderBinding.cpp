@@ -5,6 +5,7 @@
 #include "NativeKernels.h"
 #include "RangeTools.h"
 #include "RHIResources.h"
+#include "RenderGraphReport.h"
 #include "RenderGraphResources.h"
 #include "ShaderBindingChecks.h"
 #include "ShaderBindingPlan.h"
@@ -75,7 +76,12 @@ std::shared_ptr<const FShaderBindingPlan> GetPlan(
 		for (FDiagnostic& Diagnostic : Diagnostics)
 		{
 			Diagnostic.Message += std::string(" (entry ") + Shader.GetType()->GetFunctionName() + ")";
+			if (Diagnostic.Severity == ESeverity::Warning)
+			{
+				ReportRDGWarning(Diagnostic, true);
+			}
 		}
+		std::erase_if(Diagnostics, [](const FDiagnostic& Each) { return Each.Severity == ESeverity::Warning; });
 		if (!Diagnostics.empty())
 		{
 			throw FError(std::move(Diagnostics), ExitUsage);
@@ -105,6 +111,22 @@ std::vector<FDiagnostic> MatchShaderParameters(
 	std::vector<FDiagnostic> Diagnostics;
 	MakeShaderBindingPlan(ShaderName, Reflection, Metadata, Diagnostics);
 	return Diagnostics;
+}
+
+std::vector<std::string> ListBoundResources(FShader& Shader)
+{
+	FShaderState& State = Shader.GetState();
+	std::lock_guard Lock(State.Mutex);
+	std::vector<std::string> Names;
+	for (const auto& [Metadata, Plan] : State.Plans)
+	{
+		for (const FResourceCopy& Copy : Plan->Resources)
+		{
+			const std::string& Buffer = Plan->Sources[Copy.Source].CodeName;
+			Names.push_back(Copy.Source == 0 ? Copy.CodeName : Buffer + "->" + Copy.CodeName.substr(Buffer.size() + 1));
+		}
+	}
+	return Names;
 }
 
 void FollowShaderBindingPlan(
@@ -196,6 +218,7 @@ void BindShaderParameters(
 	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
 	FollowShaderBindingPlan(*Plan, *Out.Reflection, Parameters, Out);
+	CheckStrides(*Plan, Out, Parameters);
 	if (!Out.Native && !Compiled->Reflection.bQuads && ChoosesMips(Out))
 	{
 		const std::shared_ptr<const FCompiledShader> ByQuads = GetCompiledShader(Shader, true);
@@ -222,6 +245,28 @@ void RequireShaderParameters(
 	}
 }
 
+FBoundShader BindToBeSet(FShader& Shader)
+{
+	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(FShaderRef(&Shader));
+	const FShaderReflection& Reflection = Compiled->Reflection;
+	FBoundShader Bound;
+	Bound.Name = Shader.GetType()->GetName();
+	Bound.EntryPoint = Shader.GetType()->GetFunctionName();
+	Bound.PermutationId = Shader.GetPermutationId();
+	Bound.Permutation = &Shader;
+	Bound.bDouble = GetShaderLaneConfig().bDouble;
+	Bound.Kernel = Compiled->Run;
+	Bound.Vertex = Compiled->Vertex;
+	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Reflection);
+	MakeConstantBuffers(Reflection, Bound);
+	Bound.Textures.resize(Reflection.Textures.size());
+	Bound.RWTextures.resize(Reflection.RWTextures.size());
+	Bound.Samplers.resize(Reflection.Samplers.size());
+	Bound.Buffers.resize(Reflection.Buffers.size());
+	Bound.RWBuffers.resize(Reflection.RWBuffers.size());
+	return Bound;
+}
+
 namespace
 {
 
@@ -246,29 +291,24 @@ std::string FindParameter(const FShaderReflection& Reflection)
 	return {};
 }
 
-FBoundShader BindVertexShaderWithoutParameters(FShader& Shader)
+FBoundShader BindWithoutParameters(FShader& Shader)
 {
-	const std::shared_ptr<const FCompiledShader> Compiled = GetCompiledShader(FShaderRef(&Shader));
-	const FShaderType& Type = *Shader.GetType();
-	if (const std::string Parameter = FindParameter(Compiled->Reflection); !Parameter.empty())
+	FBoundShader Bound = BindToBeSet(Shader);
+	if (const std::string Parameter = FindParameter(Bound.GetReflection()); !Parameter.empty())
 	{
+		const char* const Kinds[] = {"vertex", "pixel", "compute"};
+		const int Kind = Shader.GetFrequency() == SF_Vertex ? 0 : Shader.GetFrequency() == SF_Pixel ? 1 : 2;
 		throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexInput,
-						 std::string("vertex shader ") + Type.GetName() + " reads '" + Parameter +
+						 std::string(Kinds[Kind]) + " shader " + Bound.Name + " reads '" + Parameter +
 							 "', and its parameters were not set: call SetShaderParameters for it, after the pipeline "
-							 "state and before the draw"),
+							 "state and before the " +
+							 (Kind == 2 ? "dispatch" : "draw")),
 			ExitUsage);
 	}
-	FBoundShader Bound;
-	Bound.Name = Type.GetName();
-	Bound.EntryPoint = Type.GetFunctionName();
-	Bound.PermutationId = Shader.GetPermutationId();
-	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
-	Bound.Vertex = Compiled->Vertex;
-	MakeConstantBuffers(Compiled->Reflection, Bound);
 	return Bound;
 }
 
-[[maybe_unused]] const bool GBinderIsSet = (SetVertexShaderBinder(&BindVertexShaderWithoutParameters), true);
+[[maybe_unused]] const bool GBinderIsSet = (SetShaderBinder(&BindWithoutParameters), true);
 
 } // namespace
 

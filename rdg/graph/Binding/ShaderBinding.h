@@ -31,6 +31,13 @@ DRYDOCK_API std::vector<FDiagnostic> MatchShaderParameters(
 DRYDOCK_API void FollowShaderBindingPlan(
 	const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const void* Parameters, FBoundShader& Out);
 
+/** A binding whose constants are 0 and whose resources are to be set. */
+DRYDOCK_API FBoundShader BindToBeSet(FShader& Shader);
+
+/** The parameters, as a compiled graph names them, through which the shader uses resources, of all structs that were
+ * bound to it so far. Empty where none was. */
+DRYDOCK_API std::vector<std::string> ListBoundResources(FShader& Shader);
+
 /** False for the engine's vertex shader of screen passes, whose rectangle draws know without running it. */
 inline bool IsRun(const FShaderRef& Shader)
 {

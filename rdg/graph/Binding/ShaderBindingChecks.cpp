@@ -174,6 +174,43 @@ void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Re
 	}
 }
 
+void CheckStrides(const FShaderBindingPlan& Plan, const FBoundShader& Bound, const void* Parameters)
+{
+	std::vector<FDiagnostic> Wrong;
+	for (const FResourceCopy& Copy : Plan.Resources)
+	{
+		const bool bWritten = Copy.List == EResourceList::RWBuffers;
+		if (!bWritten && Copy.List != EResourceList::Buffers)
+		{
+			continue;
+		}
+		const FShaderReflection& Reflection = Bound.GetReflection();
+		const FShaderResource& Resource = (bWritten ? Reflection.RWBuffers : Reflection.Buffers)[Copy.Slot];
+		const FKernelBuffer& Buffer = (bWritten ? Bound.RWBuffers : Bound.Buffers)[Copy.Slot];
+		if (Resource.Dimension != EShaderDimension::StructuredBuffer || !Resource.CounterOf.empty() ||
+			Resource.Stride == Buffer.Stride)
+		{
+			continue;
+		}
+		const void* const Contents = GetContents(Plan.Sources[Copy.Source], Parameters);
+		const FRDGBuffer* const Graphs = Copy.BaseType == UBMT_RDG_BUFFER_SRV
+											 ? ReadPointer<FRDGBufferSRV>(Contents, Copy.SourceOffset)->Desc.Buffer
+										 : Copy.BaseType == UBMT_RDG_BUFFER_UAV
+											 ? ReadPointer<FRDGBufferUAV>(Contents, Copy.SourceOffset)->Desc.Buffer
+											 : nullptr;
+		Wrong.push_back(MakeParameterDiagnostic(ResourceType, Copy.CodeName,
+			Bound.Name + ": '" + Resource.Name + "' has elements of " + std::to_string(Resource.Stride) +
+				" bytes where it is read by " + (Resource.Where.empty() ? "the shader" : Resource.Where) +
+				", and the buffer " + (Graphs ? std::string(Graphs->Name) + " " : std::string()) +
+				"was created with elements of " + std::to_string(Buffer.Stride) +
+				": give FRDGBufferDesc::CreateStructuredDesc the size of the struct that the shader declares"));
+	}
+	if (!Wrong.empty())
+	{
+		throw FError(std::move(Wrong), ExitUsage);
+	}
+}
+
 void ReportDroppedComponents(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection,
 	const std::string& ShaderName, const void* Parameters)
 {

@@ -1,6 +1,7 @@
 // Checks before a pass that its parameters are set and fit what the shader reads of them.
 #pragma once
 
+#include "BoundShader.h"
 #include "ShaderBindingPlan.h"
 
 #include <string>
@@ -17,6 +18,9 @@ void CheckRequiredParameters(const FShaderBindingPlan& Plan, const std::string& 
  * read as its faces. */
 void CheckBoundKinds(const FShaderBindingPlan& Plan, const FShaderReflection& Reflection, const std::string& ShaderName,
 	const void* Parameters);
+
+/** Throws FError (exit code 2) where a structured buffer's elements have another size than the shader's. */
+void CheckStrides(const FShaderBindingPlan& Plan, const FBoundShader& Bound, const void* Parameters);
 
 /** Notes, by ReportRDGWarning, where a shader stores more components than the texture keeps. Such a store may be a
  * mistake: three-component formats are stored to as float4 everywhere, those of one or two seldom on purpose. */

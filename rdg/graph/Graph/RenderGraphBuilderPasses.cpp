@@ -14,6 +14,8 @@
 #include "Shader.h"
 #include "RenderGraphValidate.h"
 
+#include <pthread.h>
+
 using namespace Drydock;
 
 FRDGPass::~FRDGPass() = default;
@@ -65,6 +67,25 @@ FRDGPassDescription DescribePass(const FRDGPass& Pass, const FRDGSettings& Setti
 	return Description;
 }
 
+/** Whether this thread's stack holds the object, in a function that has not returned yet. */
+bool LiesOnStack(const void* Object)
+{
+	thread_local const uintptr_t End = []
+	{
+		pthread_attr_t Attributes;
+		void* Low = nullptr;
+		size_t Size = 0;
+		if (pthread_getattr_np(pthread_self(), &Attributes) == 0)
+		{
+			pthread_attr_getstack(&Attributes, &Low, &Size);
+			pthread_attr_destroy(&Attributes);
+		}
+		return reinterpret_cast<uintptr_t>(Low) + Size;
+	}();
+	const auto At = reinterpret_cast<uintptr_t>(Object);
+	return At >= reinterpret_cast<uintptr_t>(__builtin_frame_address(0)) && At < End;
+}
+
 } // namespace
 
 FRDGPassRef FRDGBuilder::AdoptPass(FRDGPass* Pass)
@@ -114,6 +135,13 @@ void FRDGBuilder::DeclarePass(FRDGPass& Pass)
 	{
 		ThrowRDGErrors({MakePassDiagnostic(
 			ESeverity::Error, RDGErrorNullArgument, Description, "the pass was added with null parameters")});
+	}
+	if (Pass.Owner.IsForeign() && LiesOnStack(Pass.Parameters))
+	{
+		ThrowRDGErrors({MakePassDiagnostic(ESeverity::Error, RDGErrorStackParameters, Description,
+			"the parameters lie on the stack of " + Pass.Owner.Callback +
+				", and are gone when the pass runs: take them from GraphBuilder.AllocParameters<" +
+				(Pass.Metadata ? Pass.Metadata->GetStructTypeName() : "FParameters") + ">()")});
 	}
 	FRDGPassResources Resources;
 	if (Pass.Metadata)

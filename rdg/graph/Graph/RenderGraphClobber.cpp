@@ -66,6 +66,12 @@ void ZeroTexture(FRHITexture& Texture)
 	}
 }
 
+void ZeroBuffer(FRHIBuffer& Buffer)
+{
+	Buffer.EnsureMemory();
+	std::memset(Buffer.GetData(), 0, Buffer.GetSize());
+}
+
 void ClobberBuffer(FRHIBuffer& Buffer, int32 Mode)
 {
 	Buffer.EnsureMemory();

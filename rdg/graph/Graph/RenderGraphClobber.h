@@ -13,6 +13,8 @@ void ClobberTexture(FRHITexture& Texture, int32 Mode);
 /** 0 in all texels of all planes. */
 void ZeroTexture(FRHITexture& Texture);
 
+void ZeroBuffer(FRHIBuffer& Buffer);
+
 /** The same value as 32-bit floats; a rest of less than four bytes stays. */
 void ClobberBuffer(FRHIBuffer& Buffer, int32 Mode);
 

@@ -27,6 +27,7 @@ enum ERDGError : int
 	RDGErrorUnsetParameter = 2015,     // what the shader reads was not set
 	RDGErrorCopy = 2016,               // a copy between formats, or beyond one of its textures or buffers
 	RDGErrorGroupCount = 2017,         // a negative number of thread groups
+	RDGErrorStackParameters = 2018,    // a plugin's parameter struct is a local variable
 
 	// Passes.
 	RDGErrorPassFlags = 2020,
@@ -53,6 +54,7 @@ enum ERDGError : int
 	RDGWarningUnusedParameter = 2053,
 	RDGWarningFeedback = 2054,       // a pass samples what it renders to
 	RDGNoteDroppedComponents = 2055, // a note: a UAV's format has fewer components than are stored
+	RDGNoteTooManyGroups = 2056,     // a note: a dispatch has several times the groups that its textures take
 };
 
 /** Those of r.RDG.Debug. */

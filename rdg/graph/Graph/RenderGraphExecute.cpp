@@ -280,10 +280,18 @@ void FRDGExecutor::MakeReady(FRDGViewableResource& Resource)
 	if (State.Settings.ClobberResources == 0 || !PassesRDGGraphFilter(State.Graph.Name.c_str()) ||
 		!PassesRDGResourceFilter(Resource.Name))
 	{
-		if (Resource.Type == ERDGViewableResourceType::Texture && State.Observer &&
-			State.Observer->WantsZeroedTextures())
+		if (Resource.Type == ERDGViewableResourceType::Texture && State.Observer)
 		{
-			ZeroTexture(static_cast<FRHITexture&>(*Resource.ResourceRHI));
+			auto& Texture = static_cast<FRHITexture&>(*Resource.ResourceRHI);
+			const bool bZero = State.Observer->OnTextureMade(Texture);
+			if (bZero || State.Observer->WantsZeroedTextures())
+			{
+				ZeroTexture(Texture);
+			}
+		}
+		else if (State.Observer)
+		{
+			ZeroBuffer(static_cast<FRHIBuffer&>(*Resource.ResourceRHI));
 		}
 		return;
 	}

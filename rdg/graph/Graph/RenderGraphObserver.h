@@ -49,6 +49,9 @@ public:
 	 * old contents: for observers that show textures beyond what passes wrote. Always the same answer. */
 	virtual bool WantsZeroedTextures() const { return false; }
 
+	/** A texture of the graph's own has got memory, which holds anything. True: zero it before it is used. */
+	virtual bool OnTextureMade(FRHITexture&) { return false; }
+
 	/** Whether the observer shows the warnings that OnGraphCompiled brings, so that the graph prints none itself. */
 	virtual bool ShowsWarnings() const { return false; }
 

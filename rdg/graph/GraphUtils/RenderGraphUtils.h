@@ -219,6 +219,11 @@ inline bool HasBeenProduced(const FRenderTargetBinding& Binding)
 
 // Compute -----------------------------------------------------------------------------------------------------------
 
+/** Parameters of a pass that only draws. Source: engine ShaderParameterStruct.h. */
+BEGIN_SHADER_PARAMETER_STRUCT(FRenderTargetParameters, DRYDOCK_API)
+	RENDER_TARGET_BINDING_SLOTS()
+END_SHADER_PARAMETER_STRUCT()
+
 BEGIN_SHADER_PARAMETER_STRUCT(FTextureAccessDynamicParameters, DRYDOCK_API)
 	RDG_TEXTURE_ACCESS(Texture, ERHIAccess::CopySrc)
 END_SHADER_PARAMETER_STRUCT()

@@ -42,7 +42,7 @@ FScreenPassTexture::FScreenPassTexture(const FScreenPassTextureSlice& Slice)
 	check(!Texture || !Texture->Desc.IsTextureArray());
 }
 
-FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice)
+FScreenPassTexture Drydock::CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice)
 {
 	if (Slice.TextureSRV)
 	{
@@ -60,6 +60,11 @@ FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, 
 	CopyInfo.SourceSliceIndex = Slice.TextureSRV->Desc.FirstArraySlice;
 	AddCopyTexturePass(GraphBuilder, Source, Texture, CopyInfo);
 	return FScreenPassTexture(Texture, Slice.ViewRect);
+}
+
+FScreenPassTexture FScreenPassTexture::CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice)
+{
+	return Drydock::CopyFromSlice(GraphBuilder, Slice);
 }
 
 FScreenPassTexture FScreenPassTexture::CopyFromSlice(

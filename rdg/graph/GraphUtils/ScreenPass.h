@@ -4,6 +4,7 @@
 
 #include "CoreMinimal.h"
 #include "GlobalShader.h"
+#include "Misc/EngineApi.h"
 #include "RHIStaticStates.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
@@ -29,9 +30,10 @@ struct DRYDOCK_API FScreenPassTexture
 	explicit FScreenPassTexture(const FScreenPassTextureSlice& Slice);
 
 	/** The slice as a texture of its own: copied when it is one layer of an array, else as it is. */
-	static FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
+	DRYDOCK_API_CopyFromSlice static FScreenPassTexture CopyFromSlice(
+		FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
 	/** The same, drawn into OverrideOutput over its rectangle and returned as that, if it is valid. */
-	static FScreenPassTexture CopyFromSlice(
+	DRYDOCK_API_CopyFromSliceOverride static FScreenPassTexture CopyFromSlice(
 		FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice, FScreenPassTexture OverrideOutput);
 
 	bool IsValid() const { return Texture != nullptr && ViewRect.Width() > 0 && ViewRect.Height() > 0; }
@@ -68,6 +70,9 @@ struct DRYDOCK_API FScreenPassTextureSlice
 
 namespace Drydock
 {
+
+/** FScreenPassTexture::CopyFromSlice for headers of drydock, which compile for any version. */
+DRYDOCK_API FScreenPassTexture CopyFromSlice(FRDGBuilder& GraphBuilder, const FScreenPassTextureSlice& Slice);
 
 /** A picture that code gets or gives: a texture as up to engine 5.3, and a slice (view and rect) as from 5.4. It
  * converts from either and to either. */

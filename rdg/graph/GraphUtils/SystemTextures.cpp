@@ -14,12 +14,13 @@ namespace
 {
 
 FRDGTextureRef RegisterConstantTexture(FRDGBuilder& GraphBuilder, const TCHAR* Name, const FLinearColor& Color,
-	bool bIs3D = false, EPixelFormat Format = PF_FloatRGBA)
+	bool bIs3D = false, EPixelFormat Format = PF_FloatRGBA, bool bIsCube = false)
 {
 	const ETextureCreateFlags Flags = TexCreate_ShaderResource;
 	const FRHITextureDesc Desc =
-		bIs3D ? FRHITextureDesc::Create3D(FIntVector(1, 1, 1), Format, FClearValueBinding::None, Flags)
-			  : FRHITextureDesc::Create2D(FIntPoint(1, 1), Format, FClearValueBinding::None, Flags);
+		bIsCube ? FRHITextureDesc::CreateCube(1, Format, FClearValueBinding::None, Flags)
+		: bIs3D ? FRHITextureDesc::Create3D(FIntVector(1, 1, 1), Format, FClearValueBinding::None, Flags)
+				: FRHITextureDesc::Create2D(FIntPoint(1, 1), Format, FClearValueBinding::None, Flags);
 	FTextureRHIRef Texture = new FRHITexture(Desc, Name);
 	Texture->Fill(Color);
 	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Name));
@@ -52,6 +53,8 @@ const FRDGSystemTextures& FRDGSystemTextures::Get(FRDGBuilder& GraphBuilder)
 		RegisterConstantTexture(GraphBuilder, TEXT("VolumetricBlackDummy"), FLinearColor(0, 0, 0, 0), true);
 	Textures.VolumetricBlackAlphaOne =
 		RegisterConstantTexture(GraphBuilder, TEXT("VolumetricBlackAlphaOneDummy"), FLinearColor(0, 0, 0, 1), true);
+	Textures.CubeBlack = RegisterConstantTexture(
+		GraphBuilder, TEXT("CubeBlackDummy"), FLinearColor(0, 0, 0, 0), false, PF_FloatRGBA, true);
 	return Textures;
 }
 

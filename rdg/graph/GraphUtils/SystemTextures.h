@@ -22,6 +22,7 @@ public:
 	FRDGTextureSRVRef StencilDummySRV = nullptr;
 	FRDGTextureRef VolumetricBlack = nullptr; // 3D
 	FRDGTextureRef VolumetricBlackAlphaOne = nullptr;
+	FRDGTextureRef CubeBlack = nullptr;
 };
 
 namespace Drydock
@@ -68,6 +69,10 @@ public:
 	FRDGTextureRef GetBlackAlphaOneDummy(FRDGBuilder& GraphBuilder) const
 	{
 		return FRDGSystemTextures::Get(GraphBuilder).BlackAlphaOne;
+	}
+	FRDGTextureRef GetCubeBlackDummy(FRDGBuilder& GraphBuilder) const
+	{
+		return FRDGSystemTextures::Get(GraphBuilder).CubeBlack;
 	}
 	FRDGTextureRef GetVolumetricBlackDummy(FRDGBuilder& GraphBuilder) const
 	{

@@ -102,10 +102,10 @@ void FShader::Adopt(const FShaderType& InType, int32 InPermutationId)
 	switch (InType.GetFrequency())
 	{
 	case SF_Compute:
-		ComputeShader = new FRHIComputeShader();
+		ComputeShader = new FRHIComputeShader(this);
 		break;
 	case SF_Pixel:
-		PixelShader = new FRHIPixelShader();
+		PixelShader = new FRHIPixelShader(this);
 		break;
 	case SF_Vertex:
 		VertexShader = new FRHIVertexShader(InType.IsRunByDraws() ? this : nullptr);

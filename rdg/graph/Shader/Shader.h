@@ -60,11 +60,19 @@ struct FShaderPermutationParameters
 	EShaderPermutationFlags Flags = EShaderPermutationFlags::None;
 };
 
+/** Finds the parameters of a compiled shader by name. */
+struct FShaderParameterMap
+{
+	const FShaderType* Type = nullptr;
+	int32 PermutationId = 0;
+};
+
 /** The arguments that construct a shader instance. Older plugins write such constructors by hand and bind in them. */
 struct FShaderCompiledShaderInitializerType
 {
 	const FShaderType* Type = nullptr;
 	int32 PermutationId = 0;
+	FShaderParameterMap ParameterMap{Type, PermutationId};
 };
 
 /** A registered shader class. One static object per class, made by IMPLEMENT_SHADER_TYPE. */

@@ -33,6 +33,11 @@ public:
 				Plan.Sources.push_back({Member.Struct, Member.BaseType, Member.Offset, Member.CodeName, false});
 			}
 		}
+		const FShaderParametersMetadata* const OfFrame = GetFrameUniformBufferStruct();
+		if (OfFrame && !HasUniformBuffer(OfFrame->GetShaderVariableName()))
+		{
+			Plan.Sources.push_back({OfFrame, UBMT_INVALID, 0, "", false, true});
+		}
 	}
 
 	FShaderBindingPlan Match()
@@ -68,9 +73,10 @@ private:
 		const FHlslMember* Member = nullptr;
 	};
 
-	void Report(EBindingError Code, const std::string& Message)
+	void Report(EBindingError Code, const std::string& Message, ESeverity Severity = ESeverity::Error)
 	{
 		FDiagnostic Diagnostic;
+		Diagnostic.Severity = Severity;
 		Diagnostic.Code = Code;
 		Diagnostic.Message = ShaderName + ": " + Message;
 		Diagnostics.push_back(Diagnostic);
@@ -164,7 +170,7 @@ private:
 									   Found.Member->DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 			return;
 		}
-		Plan.Sources[Found.Source].bUsed = true;
+		Use(Found.Source, Constant.Name, Constant.Where);
 		AddCopies(Constant, Member, Found.Source);
 	}
 
@@ -259,9 +265,18 @@ private:
 		return {};
 	}
 
+	void Use(uint32_t Source, const std::string& HlslName, const std::string& Where)
+	{
+		Plan.Sources[Source].bUsed = true;
+		if (Plan.Sources[Source].bOfFrame)
+		{
+			ReportMissingUniformBuffer(Plan.Sources[Source].Metadata->GetShaderVariableName(), HlslName, Where, true);
+		}
+	}
+
 	/** Once for a buffer, however many of its members are read. */
 	void ReportMissingUniformBuffer(
-		const std::string& UniformBuffer, const std::string& HlslName, const std::string& Where)
+		const std::string& UniformBuffer, const std::string& HlslName, const std::string& Where, bool bOfFrame = false)
 	{
 		if (!MissingBuffers.insert(UniformBuffer).second || IsBoundByDraw(Reflection, UniformBuffer))
 		{
@@ -273,7 +288,11 @@ private:
 		Report(MissingUniformBuffer,
 			"'" + HlslName + "' of uniform buffer '" + UniformBuffer + "' " + ReadBy(Where) + ", but " +
 				Metadata.GetStructTypeName() + " has no SHADER_PARAMETER_STRUCT_REF" + Arguments +
-				" or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer" + ListUniformBuffers());
+				" or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer" + ListUniformBuffers() +
+				(bOfFrame
+						? "; the shader reads the frame's own. The engine reports it too, and 5.2 and before end there"
+						: ""),
+			bOfFrame ? ESeverity::Warning : ESeverity::Error);
 	}
 
 	/** Elements are 16 bytes apart in C++; matrices are row after row there, and in HLSL as the reflection says. */
@@ -356,7 +375,7 @@ private:
 										 Member.DeclaredIn->GetStructTypeName() + ": " + DescribeCpp(Member));
 				continue;
 			}
-			Plan.Sources[Found.Source].bUsed = true;
+			Use(Found.Source, Name, Resource.Where);
 			const std::string Prefix = Found.Source ? Plan.Sources[Found.Source].CodeName + "." : "";
 			Plan.Resources.push_back(
 				{List, Slot, Found.Source, Member.Offset, Member.BaseType, Prefix + Member.CodeName});

@@ -35,7 +35,8 @@ struct FBindingSource
 		UBMT_INVALID;    // how the member refers to the buffer; UBMT_INVALID: the struct itself
 	uint32_t Offset = 0; // of that member
 	std::string CodeName;
-	bool bUsed = false; // something the shader reads comes from here
+	bool bUsed = false;    // something the shader reads comes from here
+	bool bOfFrame = false; // no member refers to it: FFrameUniformBufferScope
 };
 
 /** Copies Size bytes of a source to a constant buffer. */

@@ -25,9 +25,9 @@ const TMap<FString, FString>& AllShaderSourceDirectoryMappings()
 	Drydock::MapShippedShaders();
 	static TMap<FString, FString> Mappings;
 	Mappings.Reset();
-	for (const auto& [Virtual, Real] : Drydock::GetShaderDirectories())
+	for (const Drydock::FShaderDirectory& Mapping : Drydock::GetShaderDirectories())
 	{
-		Mappings.Add(FString(Virtual), FString(Real));
+		Mappings.Add(FString(Mapping.Virtual), FString(Mapping.Real));
 	}
 	return Mappings;
 }
@@ -78,6 +78,12 @@ void FShaderCompilerEnvironment::SetDefine(const TCHAR* Name, float Value)
 
 namespace Drydock
 {
+
+void MapPluginShaders(const std::string& VirtualDirectory, const std::string& RealDirectory)
+{
+	MapShippedShaders();
+	AddShaderDirectory(VirtualDirectory, RealDirectory, true);
+}
 
 void MapShippedShaders()
 {

@@ -69,4 +69,7 @@ namespace Drydock
  *  built there, else beside the installed library. Called before every compilation; mappings of users win. */
 DRYDOCK_API void MapShippedShaders();
 
+/** Maps a plugin's folder of shaders in its place: a note tells its author where the plugin does not do so itself. */
+DRYDOCK_API void MapPluginShaders(const std::string& VirtualDirectory, const std::string& RealDirectory);
+
 } // namespace Drydock

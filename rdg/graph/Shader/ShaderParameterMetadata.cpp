@@ -6,6 +6,7 @@
 #include "UniformBufferStructs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <map>
 #include <mutex>
@@ -59,6 +60,36 @@ const FShaderParametersMetadata* FindUniformBufferStruct(const std::string& Hlsl
 		}
 	}
 	return nullptr;
+}
+
+namespace
+{
+
+std::atomic<const FShaderParametersMetadata*> GFrameStruct{nullptr};
+std::atomic<const void*> GFrameContents{nullptr};
+
+} // namespace
+
+FFrameUniformBufferScope::FFrameUniformBufferScope(const FShaderParametersMetadata* Struct, const void* Contents)
+{
+	GFrameStruct = Struct;
+	GFrameContents = Contents;
+}
+
+FFrameUniformBufferScope::~FFrameUniformBufferScope()
+{
+	GFrameStruct = nullptr;
+	GFrameContents = nullptr;
+}
+
+const FShaderParametersMetadata* GetFrameUniformBufferStruct()
+{
+	return GFrameStruct;
+}
+
+const void* GetFrameUniformBufferContents()
+{
+	return GFrameContents;
 }
 
 std::vector<const FShaderParametersMetadata*> GetUniformBufferStructs()

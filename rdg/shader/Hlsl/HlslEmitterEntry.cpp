@@ -37,6 +37,8 @@ constexpr FEmitBuiltIn EmitBuiltIns[] = {
 	{"SV_POSITION", EStage::Pixel, false, BuiltInFragCoord, EScalar::Float, 4},
 	{"SV_ISFRONTFACE", EStage::Pixel, false, BuiltInFrontFacing, EScalar::Bool, 1},
 	{"SV_DEPTH", EStage::Pixel, true, BuiltInFragDepth, EScalar::Float, 1},
+	{"SV_DEPTHGREATEREQUAL", EStage::Pixel, true, BuiltInFragDepth, EScalar::Float, 1},
+	{"SV_DEPTHLESSEQUAL", EStage::Pixel, true, BuiltInFragDepth, EScalar::Float, 1},
 };
 
 std::string_view GetEmitSemantic(std::string_view Semantic)

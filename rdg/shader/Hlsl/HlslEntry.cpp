@@ -56,17 +56,25 @@ FOverload* FAnalyser::FindEntry()
 		std::vector<std::string> Known;
 		for (const auto& [Name, Symbol] : File->Symbols)
 		{
-			const bool bBody = std::ranges::any_of(
-				Symbol.Overloads, [](const FOverload* Each) { return Each->Declaration->Body != nullptr; });
-			if (Symbol.Kind == ESymbol::Functions && bBody)
+			const bool bEntry = std::ranges::any_of(Symbol.Overloads,
+				[&](const FOverload* Each)
+				{
+					const FDeclaration& Declared = *Each->Declaration;
+					const bool bSemantics = !Declared.Annotations.empty() ||
+											std::ranges::any_of(Declared.Parameters, [](const FDeclaration* Parameter)
+												{ return !Parameter->Annotations.empty(); });
+					return Declared.Body != nullptr && (HasThreads(*Each) || bSemantics);
+				});
+			if (Symbol.Kind == ESymbol::Functions && bEntry)
 			{
 				Known.emplace_back(Name);
 			}
 		}
 		std::ranges::sort(Known);
+		const std::string Suggestion = SuggestName(Options.EntryPoint, Known);
 		Error(FPlace(),
 			"entry point '" + Options.EntryPoint + "' does not exist in this shader" +
-				SuggestName(Options.EntryPoint, Known),
+				(Suggestion.empty() && !Known.empty() ? "; it has " + JoinText(Known) : Suggestion),
 			6011);
 	}
 	return Best;

@@ -239,7 +239,14 @@ FValue* FAnalyser::MakeBinary(std::string_view Operator, FValue* Left, FValue* R
 	FValue* const Result = Make(
 		EValue::Binary, IsComparison(Operator) ? Types->WithScalar(Type, EScalar::Bool) : Type, Place, {Left, Right});
 	Result->Operator = KeepOperator(Operator);
-	return Simplify(Result);
+	const FConstant Dividend = bDivides && IsKnown(*Left) ? Fold(*Types, *Left).value_or(FConstant()) : FConstant();
+	FValue* const Simple = Simplify(Result);
+	if (Operator == "/" && Dividend.size() == 1 && Divisor[0] != ~uint64_t(0) &&
+		int64_t(Dividend[0]) % int64_t(Divisor[0]) != 0)
+	{
+		Simple->bFractionLost = true;
+	}
+	return Simple;
 }
 
 FValue* FAnalyser::AnalyseConditional(const FExpression& Tree)

@@ -107,6 +107,7 @@ struct FValue
 	bool bConst = false; // a place that must not be
 	bool bPostfix = false;
 	bool bPrecise = false;
+	bool bFractionLost = false; // a constant: a division of whole numbers that has a remainder
 	uint32_t Index = 0;
 	FBits Bits;
 	std::string_view Operator;

@@ -11,6 +11,22 @@ namespace
 
 constexpr size_t MaxJoinedStatements = 4096;
 
+/** Whether a value without a sign is compared so that it always holds: `i >= 0`. */
+bool IsNeverNegative(const FValue& Condition)
+{
+	return Condition.Kind == EValue::Binary && Condition.Operator == ">=" &&
+		   Condition.Operands[0]->Type->Scalar == EScalar::Uint && Condition.Operands[1]->Kind == EValue::Constant &&
+		   Condition.Operands[1]->Constant == FConstant{0};
+}
+
+bool ReturnsInside(const FCode& Code)
+{
+	return Code.Kind == EStep::Return ||
+		   std::ranges::any_of(Code.Body, [](const FCode* Each) { return ReturnsInside(*Each); }) ||
+		   std::ranges::any_of(Code.Cases, [](const FCase& Case)
+			   { return std::ranges::any_of(Case.Body, [](const FCode* Each) { return ReturnsInside(*Each); }); });
+}
+
 std::optional<bool> FindTruth(const FValue* Condition)
 {
 	return Condition && Condition->Kind == EValue::Constant && !Condition->Constant.empty()
@@ -247,6 +263,13 @@ bool FAnalyser::AnalyseLoop(const FStatement& Statement, FCode& Code)
 								 "when the shader runs; write [loop], or [unroll(N)] with the most turns");
 	}
 	const bool bEndless = !Code.Value || FindTruth(Code.Value) == true;
+	if ((bEndless || IsNeverNegative(*Code.Value)) && !Here.bBreaks && !ReturnsInside(Code))
+	{
+		Warn(Code.Place, std::string("X3696: infinite loop: ") +
+							 (bEndless ? "its condition is always true"
+									   : "a uint is never below 0, so its condition is always true") +
+							 ", and no break and no return leaves it");
+	}
 	const bool bOnce = bDo && !bBodyGoesOn && Here.bBreaks == false && !Code.Value;
 	return (!bEndless && !bOnce) || Here.bBreaks;
 }

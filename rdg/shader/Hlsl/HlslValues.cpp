@@ -199,6 +199,11 @@ FValue* FAnalyser::Convert(FValue* Value, const FType* To, bool bExplicit)
 	{
 		Warn(Value->Place, "X3206: implicit truncation of '" + GetName(Value->Type) + "' to '" + GetName(To) + "'");
 	}
+	if (Value->bFractionLost && To->IsNumeric() && IsReal(To->Scalar))
+	{
+		Warn(Value->Place,
+			"a division of whole numbers loses its fraction before it becomes '" + GetName(To) + "'; write 1.0 for 1");
+	}
 	if (FValue* const Spread = SpreadConversion(Value, To))
 	{
 		return Convert(Spread, To, bExplicit);

@@ -52,10 +52,6 @@ std::vector<size_t> ListDefinitions(const FHlslText& Text)
 	return Names;
 }
 
-namespace
-{
-
-/** A file that drydock ships, and no other in its place. */
 bool IsShipped(const std::string& File, const FShaderCompileRequest& Request)
 {
 	const bool bGenerated = std::any_of(Request.GeneratedFiles.begin(), Request.GeneratedFiles.end(),
@@ -64,6 +60,9 @@ bool IsShipped(const std::string& File, const FShaderCompileRequest& Request)
 	const std::string Root = FindShippedShaders();
 	return Real.starts_with(Root + "/rdg/graph/Shaders/") || Real.starts_with(Root + "/passes/Shaders/");
 }
+
+namespace
+{
 
 /** The row of a name, or of the file of that virtual path; null: the table has none. */
 const FEngineName* FindRow(const std::string& Name)
@@ -97,7 +96,50 @@ bool IsEngines(const std::string& Name)
 	return Row && Row->IsEngines();
 }
 
+int GLintEngine = 0;
+
+/** "from 5.4 on" and the like, where the version that is asked for does not have the name; else empty. */
+std::string DescribeVersion(const FEngineName& Row)
+{
+	// "-": none. Engine 4 is before all.
+	const auto Get = [](const std::string& Version)
+	{
+		return Version.starts_with("5.") ? std::stoi(Version.substr(2)) : 0;
+	};
+	const std::string Sure = Row.Certainty == "uncertain" ? ", uncertain" : "";
+	if (Get(Row.From) > GLintEngine || (Row.Until != "-" && Get(Row.Until) < GLintEngine))
+	{
+		return " (engine 5." + std::to_string(GLintEngine) + " does not have it: " +
+			   (Get(Row.From) > GLintEngine ? "from " + Row.From + " on" : "until " + Row.Until) + Sure + ")";
+	}
+	return "";
+}
+
+/** The names of a file that the version does not have. */
+void FindOtherVersions(const std::string& File, const std::vector<std::string>& Lines, std::vector<FNotInEngine>& Found)
+{
+	static const std::regex Word("[A-Za-z_][A-Za-z0-9_]*");
+	for (size_t Index = 0; Index < Lines.size() && GLintEngine != 0; ++Index)
+	{
+		const std::string Code = Lines[Index].substr(0, Lines[Index].find("//"));
+		for (std::sregex_iterator It(Code.begin(), Code.end(), Word), End; It != End; ++It)
+		{
+			const FEngineName* const Row = FindRow(It->str());
+			const std::string Why = Row && Row->IsEngines() ? DescribeVersion(*Row) : "";
+			if (!Why.empty())
+			{
+				Found.push_back({File, int(Index) + 1, Row->Name + Why});
+			}
+		}
+	}
+}
+
 } // namespace
+
+void SetLintEngine(int Minor)
+{
+	GLintEngine = Minor;
+}
 
 std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCompileRequest& Request)
 {
@@ -116,6 +158,7 @@ std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCo
 	static const std::regex Include(R"re(^\s*#\s*include\s*"([^"]+)")re");
 	for (const auto& [File, Lines] : Theirs)
 	{
+		FindOtherVersions(File, Lines, Found);
 		std::smatch Match;
 		for (size_t i = 0; i < Lines.size(); ++i)
 		{

@@ -28,6 +28,9 @@ DRYDOCK_API const std::vector<FEngineName>& GetEngineNames();
 /** The tokens of the names that a text defines at file scope: functions, structs, constants. */
 DRYDOCK_API std::vector<size_t> ListDefinitions(const FHlslText& Text);
 
+/** Whether the virtual path is a file that drydock ships, and no other in its place. */
+DRYDOCK_API bool IsShipped(const std::string& File, const FShaderCompileRequest& Request);
+
 struct FNotInEngine
 {
 	std::string File; // virtual path
@@ -35,7 +38,11 @@ struct FNotInEngine
 	std::string What; // the name, where it is defined, and what the engine has
 };
 
-/** The includes and names of drydock's own in those files of a flattened text that drydock does not ship. */
+/** The engine 5.X that names must be of; 0, as at first: any. Not for several threads. */
+DRYDOCK_API void SetLintEngine(int Minor);
+
+/** The includes and names of drydock's own in those files of a flattened text that drydock does not ship; and the
+ * engine's names that the version of SetLintEngine does not have. */
 std::vector<FNotInEngine> FindNotInEngine(const FHlslText& Text, const FShaderCompileRequest& Request);
 
 } // namespace Drydock

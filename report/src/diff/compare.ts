@@ -1,42 +1,11 @@
-// Lists what differs in how two runs were made: settings, effects, passes with what they wrote, and the rest.
-import { Effect, Run, RunPass, Timing, shortName } from "../data";
-import { bytes, number, value } from "../format";
+// Lists the passes of two runs that are the same and wrote other texels, and the times of passes.
+import { Run, RunPass, Timing, shortName } from "../data";
 
-/** Something of both runs; empty where one has none. */
-export interface Difference {
+/** A pass that both ran alike. */
+export interface WroteOtherwise {
 	name: string;
-	a: string;
-	b: string;
-}
-
-export interface PassDifference extends Difference {
+	shader: string;
 	textures: string[]; // that both wrote, and not alike
-}
-
-export function compareHeads(a: Run, b: Run): Difference[] {
-	const rows: [string, (run: Run) => string][] = [
-		["Engine", (run) => run.engine], ["Precision", (run) => run.precision], ["Storage", (run) => run.storage], ["drydock", (run) => run.version],
-		["Config", (run) => run.config], ["Scene", (run) => run.scene.file], ["View", (run) => run.scene.viewRect.join(", ")],
-		["Exposure", (run) => number(run.exposure.scale)], ["Transient memory", (run) => bytes(run.memory.transientPeakBytes)],
-		["Channels decoded", (run) => String(run.channels.filter((channel) => channel.decoded).length)],
-		["Warnings", (run) => run.warnings.map((warning) => warning.code).join(", ") || "none"],
-	];
-	return rows.map(([name, read]) => ({ name, a: read(a), b: read(b) })).filter((row) => row.a !== row.b);
-}
-
-export function compareSettings(a: Run, b: Run): Difference[] {
-	return [...new Set([...Object.keys(a.settings), ...Object.keys(b.settings)])]
-		.filter((name) => JSON.stringify(a.settings[name]) !== JSON.stringify(b.settings[name]))
-		.map((name) => ({ name, a: value(a.settings[name] ?? null), b: value(b.settings[name] ?? null) }));
-}
-
-export function compareEffects(a: Run, b: Run): Difference[] {
-	const text = (effect: Effect | undefined) => (effect ? (effect.active ? "runs: " : "off: ") + effect.reason : "");
-	const names = [...new Set([...a.effects, ...b.effects].map((effect) => effect.name))];
-	return names.map((name) => {
-		const [one, other] = [a, b].map((run) => run.effects.find((effect) => effect.name === name));
-		return { name, a: text(one), b: text(other) };
-	}).filter((row) => row.a !== row.b);
 }
 
 /** By short name, and where there are several of one name their turn. */
@@ -50,15 +19,13 @@ function nameAll(run: Run): Map<string, RunPass> {
 	}));
 }
 
-export function comparePasses(a: Run, b: Run): PassDifference[] {
+export function compareWritten(a: Run, b: Run): WroteOtherwise[] {
 	const [ofA, ofB] = [nameAll(a), nameAll(b)];
-	const text = (pass: RunPass | undefined) => (!pass ? "is not there" : !pass.executed ? "left out: " + pass.reason : `${pass.shader || "no shader"}, ${number(pass.pixels)} pixels`);
-	return [...new Set([...ofA.keys(), ...ofB.keys()])].map((name) => {
-		const [one, other] = [ofA.get(name), ofB.get(name)];
-		const [left, right] = [one?.written ?? {}, other?.written ?? {}];
-		const textures = Object.keys(left).filter((texture) => texture in right && left[texture] !== right[texture]);
-		return { name, a: text(one), b: text(other), textures };
-	}).filter((row) => row.a !== row.b || row.textures.length > 0);
+	return [...ofA].flatMap(([name, one]) => {
+		const other = ofB.get(name);
+		const textures = Object.keys(one.written ?? {}).filter((texture) => other?.written?.[texture] !== undefined && other.written[texture] !== one.written![texture]);
+		return textures.length && one.shader === other!.shader && one.pixels === other!.pixels ? [{ name, shader: one.shader, textures }] : [];
+	});
 }
 
 /** Milliseconds of passes of one name, of which both runs have some. */

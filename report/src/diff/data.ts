@@ -1,5 +1,5 @@
 // A comparison's data: the types of diff.schema.json that the page reads.
-import { PictureData, Run, Timing } from "../data";
+import { Difference, PictureData, Run, Timing } from "../data";
 
 export interface Compared {
 	name: string;
@@ -10,6 +10,7 @@ export interface Compared {
 	relative?: number | null;
 	psnr?: number | null;
 	ssim?: number | null;
+	flip?: number | null;
 	nonFinite?: number;
 	at?: [number, number];
 	channel?: string;
@@ -28,7 +29,7 @@ export interface DiffReport {
 	name: string;
 	version: string;
 	written: string;
-	diff: { allowed: number | null; passed: boolean; images: Compared[] };
+	diff: { allowed: number | null; passed: boolean; images: Compared[]; differences?: Difference[]; times?: { repeats: number; sentence: string } };
 	a: Side;
 	b: Side;
 	pictures: PictureData[];

@@ -1,10 +1,17 @@
 // The page of a comparison: two pictures, or two runs picture by picture, and what differs in how they were made.
 import { el, section, table } from "../dom";
-import { count, ms, number, percent } from "../format";
-import { PicturePanel } from "../picture/panel";
-import { listAnswers, row, to } from "../sections/answers";
-import { Difference, compareEffects, compareHeads, comparePasses, compareSettings, compareTimes } from "./compare";
+import { count, ms, number } from "../format";
+import { PicturePanel, beside } from "../picture/panel";
+import { Difference } from "../data";
+import { listAnswers, nameDifferences, row, sectionOf, showDifference, to } from "../sections/answers";
+import { compareTimes, compareWritten } from "./compare";
 import { Compared, DiffReport, differs } from "./data";
+
+/** The sections of differences: kind, title, and the sentence of one without any. */
+const kinds: [Difference["kind"], string, string][] = [
+	["setting", "Settings", "No setting differs."], ["variable", "Variables", "No console variable differs."], ["input", "Inputs", "The same config, files and shaders."],
+	["effect", "Effects", "The same effects ran, for the same reasons."], ["pass", "Passes", "The same passes ran."], ["other", "Other", "Nothing else differs."],
+];
 
 /** Figures that JSON cannot hold are not finite. */
 function figure(value: number | null | undefined): string {
@@ -28,37 +35,28 @@ function answer(report: DiffReport): HTMLElement {
 			allowed !== null ? ` ${passed ? "All stay" : "Not all stay"} within ${number(allowed)}, as asked.` : ""]),
 	];
 	if (worst) {
-		rows.push(row("where", "Where most?", "note", [to("pictures", worst.name), `: by ${figure(worst.max)} in ${worst.channel} at ${worst.at!.join(", ")}; PSNR ${figure(worst.psnr)} dB, SSIM ${figure(worst.ssim)}.`]));
+		rows.push(row("where", "Where most?", "note", [to("pictures", worst.name), `: by ${figure(worst.max)} in ${worst.channel} at ${worst.at!.join(", ")}; PSNR ${figure(worst.psnr)} dB, SSIM ${figure(worst.ssim)}, FLIP ${figure(worst.flip)}.`]));
 	}
-	const { run: a, timing: timeA } = report.a;
-	const { run: b, timing: timeB } = report.b;
-	if (a && b) {
-		const settings = compareSettings(a, b);
-		const effects = compareEffects(a, b);
-		const passes = comparePasses(a, b);
-		rows.push(row("made", "Made otherwise?", settings.length + effects.length + passes.length ? "note" : "good", [
-			to("settings", count(settings.length, "setting")), ", ", to("effects", count(effects.length, "effect")), " and ", to("passes", count(passes.length, "pass", "passes")), " differ."],
-		settings.slice(0, 4).map((line) => `${line.name}: ${line.a} → ${line.b}`)));
+	const { differences, times } = report.diff;
+	if (differences) {
+		const made = differences.filter((one) => one.kind !== "effect" && one.kind !== "pass");
+		rows.push(row("made", "Made otherwise?", differences.length ? "note" : "good", differences.length ? nameDifferences(differences, to) : ["No: the same settings, variables, inputs, effects and passes."],
+			made.slice(0, 6).map(showDifference)));
 	}
-	if (timeA && timeB) {
-		const faster = timeB.executeMs < timeA.executeMs;
-		rows.push(row("time", "Which is faster?", "good", [`The passes of A take ${ms(timeA.executeMs)}, those of B `, to("time", ms(timeB.executeMs)),
-			`: B is ${percent(Math.abs(1 - timeB.executeMs / timeA.executeMs))} ${faster ? "faster" : "slower"}.`]));
+	if (times) {
+		rows.push(row("time", "Which is faster?", "good", [times.sentence[0].toUpperCase() + times.sentence.slice(1) + "."]));
 	}
 	return listAnswers(...rows);
 }
 
-function differenceTable(what: string, rows: Difference[]): HTMLElement {
+function differenceTable(rows: Difference[]): HTMLElement {
 	const quiet = (text: string) => el("span", { class: "quiet" }, text);
+	const show = (line: Difference, text: string) => (line.kind === "input" ? text.slice(0, 8) : text) || quiet("none");
 	return table<Difference>([
-		{ title: what, cell: (line) => line.name },
-		{ title: "A", cell: (line) => line.a || quiet("none") },
-		{ title: "B", cell: (line) => line.b || quiet("none") },
+		{ title: "Name", cell: (line) => line.name },
+		{ title: "A", cell: (line) => show(line, line.a) },
+		{ title: "B", cell: (line) => show(line, line.b) },
 	], rows);
-}
-
-function differences(id: string, title: string, what: string, rows: Difference[], none: string): HTMLElement {
-	return section(id, title, rows.length ? "" : none, rows.length ? differenceTable(what, rows) : null);
 }
 
 function times(report: DiffReport): HTMLElement | null {
@@ -69,7 +67,7 @@ function times(report: DiffReport): HTMLElement | null {
 	const rows = compareTimes(a, b).slice(0, 16);
 	const most = Math.max(...rows.flatMap((line) => [line.a, line.b]), 0.001);
 	const bar = (value: number) => el("span", { class: "bar", style: `--share:${value / most}` });
-	return section("time", "Time", "The passes whose times are furthest apart; of one run each, so small differences are noise.", table([
+	return section("time", "Time", "The passes of one run each: most of what differs is noise.", table([
 		{ title: "Pass", cell: (line) => line.name },
 		{ title: "A", number: true, cell: (line) => (line.a ? ms(line.a) : "") },
 		{ title: "", cell: (line) => bar(line.a) },
@@ -84,24 +82,18 @@ export class DiffPage {
 	readonly picture: PicturePanel | null;
 
 	constructor(private readonly report: DiffReport) {
-		const { run: a } = report.a;
-		const { run: b } = report.b;
 		const first = largest(report)?.name ?? report.diff.images.find((image) => image.max !== undefined)?.name;
 		const final = report.diff.images.find((image) => image.name === "final" && differs(image))?.name ?? first ?? "";
 		this.picture = report.pictures.length ? new PicturePanel(report.pictures, {
 			a: "a: " + final, b: "b: " + final, mode: "slider", title: "Both pictures",
-			note: `A: ${report.a.path}   B: ${report.b.path}`,
 		}) : null;
 		const parts: [string, string, HTMLElement | null][] = [
-			["", "", answer(report)],
-			["picture", "Both pictures", this.picture?.element ?? null],
+			["picture", "Both pictures", beside(answer(report), this.picture)],
 			["pictures", "Figures", this.makeFigures()],
-			...(a && b ? [
-				["settings", "Settings", differences("settings", "Settings", "Setting", compareSettings(a, b), "No setting differs.")],
-				["effects", "Effects", differences("effects", "Effects", "Effect", compareEffects(a, b), "The same effects ran, for the same reasons.")],
-				["passes", "Passes", this.makePasses()],
-				["other", "Other", differences("other", "Other", "What", compareHeads(a, b), "Nothing else differs.")],
-			] as [string, string, HTMLElement][] : []),
+			...kinds.map(([kind, title, none]): [string, string, HTMLElement | null] => {
+				const rows = report.diff.differences?.filter((line) => line.kind === kind);
+				return [sectionOf(kind), title, rows ? section(sectionOf(kind), title, rows.length ? "" : none, rows.length ? differenceTable(rows) : null, kind === "pass" ? this.makeWritten() : null) : null];
+			}),
 			["time", "Time", times(report)],
 		];
 		this.parts = parts.flatMap(([, , part]) => part ?? []);
@@ -124,22 +116,20 @@ export class DiffPage {
 			{ title: "Relative", number: true, cell: (image) => figure(image.relative) },
 			{ title: "PSNR dB", number: true, cell: (image) => figure(image.psnr) },
 			{ title: "SSIM", number: true, cell: (image) => figure(image.ssim) },
+			{ title: "FLIP", number: true, cell: (image) => figure(image.flip) },
 			{ title: "Largest at", cell: (image) => (differs(image) ? `${image.at!.join(", ")} in ${image.channel}` : image.max === 0 ? "equal" : image.a ? "only in A" : "only in B") },
 			{ title: "", cell: (image) => (differs(image) ? [button(image, "b", "A and B"), " ", button(image, "error", "Where")] : "") },
 		], this.report.diff.images));
 	}
 
-	/** Passes that are not the same first; then those that only wrote something else, of which the first one matters. */
-	private makePasses(): HTMLElement {
-		const rows = comparePasses(this.report.a.run!, this.report.b.run!);
-		const other = rows.filter((line) => line.a !== line.b);
-		const wrote = rows.filter((line) => line.a === line.b);
-		return section("passes", "Passes", rows.length ? "" : "The same passes ran.",
-			other.length ? differenceTable("Pass", other) : null,
-			wrote.length ? el("details", {}, el("summary", {}, `${count(wrote.length, "pass is", "passes are")} the same and wrote something else, first ${wrote[0].name}`), table([
-				{ title: "Pass", cell: (line) => line.name },
-				{ title: "", cell: (line) => line.a },
-				{ title: "Textures that differ", cell: (line) => line.textures.join(", ") },
-			], wrote)) : rows.length ? el("p", { class: "note" }, "The textures that passes wrote are compared if both runs had --fingerprints.") : null);
+	/** Passes that only wrote something else, of which the first one matters. */
+	private makeWritten(): HTMLElement | null {
+		const { a, b } = this.report;
+		const wrote = a.run && b.run ? compareWritten(a.run, b.run) : [];
+		return wrote.length ? el<HTMLElement>("details", {}, el("summary", {}, `${count(wrote.length, "pass is", "passes are")} the same and wrote something else, first ${wrote[0].name}`), table([
+			{ title: "Pass", cell: (line) => line.name },
+			{ title: "Shader", cell: (line) => line.shader },
+			{ title: "Textures that differ", cell: (line) => line.textures.join(", ") },
+		], wrote)) : el<HTMLElement>("p", { class: "note" }, "The textures that passes wrote are compared if both runs had --fingerprints.");
 	}
 }

@@ -2,15 +2,16 @@
 import { GraphPass, PictureData, Report, pictureUrl } from "../data";
 import { el, table } from "../dom";
 import { big, bytes, ms, number } from "../format";
-import { GraphFacts, isMerged, whyPass, whyResource } from "./why";
+import { GraphFacts, isMerged, isUnread, whyPass, whyResource } from "./why";
 
 export interface DetailActions {
 	showPicture: (id: string) => void;
 	selectPass: (index: number) => void;
+	selectTexture: (pass: number, resource: number) => void;
 	close: () => void;
 }
 
-function link(label: string, act: () => void, tip?: string): HTMLElement {
+export function link(label: string, act: () => void, tip?: string): HTMLElement {
 	return el("button", { type: "button", class: "link", onclick: act, "data-tip": tip }, label);
 }
 
@@ -22,9 +23,10 @@ function uses(report: Report, facts: GraphFacts, pass: GraphPass, actions: Detai
 			other.uses.some((theirs) => theirs.resource === use.resource && (write ? theirs.reads : theirs.writes)) &&
 			(write ? other.index > pass.index : other.index < pass.index));
 		const other = write ? writers[0] : writers[writers.length - 1];
-		return el("li", {}, el("span", { "data-tip": whyResource(facts, resource) }, resource.name), " ",
+		const unread = !write && isUnread(facts, pass, use.resource);
+		return el("li", { class: unread ? "unread" : "" }, link(resource.name, () => actions.selectTexture(pass.index, use.resource), whyResource(facts, resource)), " ",
 			el("span", { class: "quiet", "data-tip": [use, ...more].map((one) => one.parameter).join(", ") },
-				use.parameter.split(/->|\./).pop() + (more.length ? ` +${more.length}` : "")), " ",
+				use.parameter.split(/->|\./).pop() + (more.length ? ` +${more.length}` : "") + (unread ? ", not read" : "")), " ",
 			other ? link(`${write ? "→" : "←"} ${other.index}`, () => actions.selectPass(other.index), other.name) : null);
 	}));
 }

@@ -1,25 +1,32 @@
 // The graph in order: a row for each pass, a column for each resource with its life, reads and writes where they meet.
-import { el } from "../dom";
+import { el, narrow } from "../dom";
 import { ms } from "../format";
-import { shortName } from "../data";
-import { GraphFacts, isMerged, whyPass, whyResource } from "./why";
+import { GraphPass, Resource, shortName } from "../data";
+import { GraphFacts, isMerged, isUnread, whyPass, whyResource } from "./why";
 
 const row = 22;
-const column = 17;
-const names = 250; // width of the names of passes
-const bar = 70;
-const head = 150; // height of the names of resources
 
-/** Names stay in sight: those of the resources at the top, those of the passes at the left (--scrolled of the style). */
-export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HTMLElement {
+/** Names stay in sight: those of the resources at the top, those of the passes at the left (--scrolled of the style). In a
+ * narrow window columns are narrow, too, and have no names. */
+export function drawOrder(facts: GraphFacts, select: (pass: number) => void, selectTexture: (pass: number, resource: number) => void): HTMLElement {
 	const { passes, resources, milliseconds } = facts;
-	const left = names + bar + 18;
-	const width = left + resources.length * column + 90;
+	const names = narrow.matches ? 120 : 250; // width of the names of passes
+	const bar = narrow.matches ? 0 : 70;
+	const left = names + bar + (narrow.matches ? 0 : 18);
+	const column = narrow.matches ? Math.min(Math.max((innerWidth - 66 - left) / resources.length, 3), 17) : 17;
+	const size = Math.min(column / 1.7, 10); // of a mark
+	const longestName = Math.max(...resources.map((resource) => resource.name.length), 0);
+	const head = column < 14 ? 0 : Math.min(24 + longestName * 5.4, 300); // height of the names of resources
+	const width = left + resources.length * column + (narrow.matches ? 0 : 90);
 	const height = passes.length * row + 8;
 	const heading = el<SVGSVGElement>("svg", { width, height: head, class: "names", "aria-hidden": "true" });
 	const svg = el<SVGSVGElement>("svg", { width, height, role: "group", "aria-label": "Passes in order, and the resources they read and write" });
 	const rowOf = new Map(passes.map((pass, i) => [pass.index, i * row + row / 2]));
 	const longest = Math.max(...milliseconds.values(), 0.001);
+	const nameAt = narrow.matches ? 30 : 44;
+	/** The resource lives at the pass, or the pass names it. */
+	const touches = (pass: GraphPass, resource: Resource | undefined) => resource &&
+		((resource.firstPass >= 0 && resource.firstPass <= pass.index && pass.index <= resource.lastPass) || pass.uses.some((use) => use.resource === resource.index));
 
 	resources.forEach((resource, i) => {
 		const x = left + i * column + column / 2;
@@ -29,7 +36,7 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HT
 		heading.append(el("g", attributes, el("text", { transform: `translate(${x + 3} ${head - 8}) rotate(-55)` }, resource.name)));
 		svg.append(el("g", attributes,
 			el("rect", { class: "hit", x: x - column / 2, y: 0, width: column, height }),
-			el("rect", { class: "life", x: x - 2.5, y: Math.min(...uses) - 4, width: 5, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
+			el("rect", { class: "life", x: x - size / 4, y: Math.min(...uses) - 4, width: size / 2, height: Math.max(...uses) - Math.min(...uses) + 8, rx: 2.5 })));
 	});
 
 	passes.forEach((pass, i) => {
@@ -39,7 +46,11 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HT
 		const group = el<SVGGElement>("g", {
 			class: "pass" + (pass.culled ? " culled" : ""), tabindex: 0, role: "button", "data-pass": pass.index,
 			"aria-label": `Pass ${pass.index}, ${pass.name}${pass.culled ? ", culled" : ""}`, "data-tip": whyPass(facts, pass),
-			onclick: open,
+			onclick: (event: MouseEvent) => {
+				const at = Math.floor((event.clientX - svg.getBoundingClientRect().left - left) / column);
+				const inLabel = (event.target as Element).closest?.(".label");
+				!inLabel && touches(pass, resources[at]) ? selectTexture(pass.index, resources[at].index) : open();
+			},
 			onkeydown: (event: KeyboardEvent) => {
 				if (event.key === "Enter" || event.key === " ") {
 					event.preventDefault();
@@ -60,22 +71,23 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HT
 			const at = resources.findIndex((resource) => resource.index === use.resource);
 			const x = left + at * column + column / 2;
 			if (use.writes) {
-				group.append(el("rect", { class: "write", x: x - 5, y: y - 5, width: 10, height: 10, rx: 1 }));
+				group.append(el("rect", { class: "write", x: x - size / 2, y: y - 5, width: size, height: 10, rx: 1 }));
 			}
 		}
 		const written = new Set(pass.uses.filter((use) => use.writes).map((use) => use.resource));
 		for (const resource of new Set(pass.uses.filter((use) => use.reads).map((use) => use.resource))) {
 			const x = left + resources.findIndex((other) => other.index === resource) * column + column / 2;
 			const both = written.has(resource);
-			group.append(el("circle", { class: both ? "read both" : "read", cx: x, cy: y, r: both ? 3 : 4.5 }));
+			const unread = isUnread(facts, pass, resource);
+			group.append(el("circle", { class: both ? "read both" : unread ? "read unread" : "read", cx: x, cy: y, r: (both ? 0.3 : unread ? 0.37 : 0.45) * size }));
 		}
 		group.append(el("g", { class: "label" },
 			el("rect", { class: "cover", x: 0, y: y - row / 2, width: left - 8, height: row }),
 			el("rect", { class: "back", x: 0, y: y - row / 2, width: left - 8, height: row }),
-			el("text", { class: "index", x: 34, y: y + 4, "text-anchor": "end" }, pass.index),
-			el("text", { x: 44, y: y + 4 }, cut(shortName(pass.name), 30)),
-			pass.culled ? el("rect", { class: "outline", x: 39, y: y - row / 2 + 2, width: names - 46, height: row - 4, rx: 3 }) : null,
-			time !== undefined ? el("rect", { class: "time", x: names, y: y - 4, width: Math.max((time / longest) * bar, 1), height: 8, rx: 1 }) : null));
+			el("text", { class: "index", x: nameAt - 8, y: y + 4, "text-anchor": "end" }, pass.index),
+			el("text", { x: nameAt, y: y + 4 }, cut(shortName(pass.name), narrow.matches ? 13 : 27)),
+			pass.culled ? el("rect", { class: "outline", x: nameAt - 5, y: y - row / 2 + 2, width: names - nameAt - 2, height: row - 4, rx: 3 }) : null,
+			time !== undefined && bar ? el("rect", { class: "time", x: names, y: y - 4, width: Math.max((time / longest) * bar, 1), height: 8, rx: 1 }) : null));
 		svg.append(group);
 	});
 
@@ -86,7 +98,7 @@ export function drawOrder(facts: GraphFacts, select: (pass: number) => void): HT
 		}
 	}
 	heading.append(el("g", { class: "label" }, el("rect", { class: "cover", x: 0, y: 0, width: left - 8, height: head })));
-	return el("div", { class: "order", style: `width:${width}px` }, heading, svg);
+	return el("div", { class: "order", style: `width:${width}px` }, head ? heading : null, svg);
 }
 
 export function cut(text: string, length: number): string {

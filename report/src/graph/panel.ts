@@ -1,10 +1,11 @@
 // The graph section: in order or as it flows, with search, the heap, and the pass that was chosen.
 import { Report } from "../data";
-import { el, section } from "../dom";
+import { el, narrow, section } from "../dom";
 import { describePass } from "./detail";
 import { drawFlow } from "./flow";
 import { drawHeap } from "./heap";
 import { drawOrder } from "./order";
+import { describeTexture } from "./texture";
 import { GraphFacts, describeCounts, gatherFacts } from "./why";
 
 export class GraphPanel {
@@ -15,7 +16,8 @@ export class GraphPanel {
 	private readonly search: HTMLInputElement;
 	private readonly found = el("output", { id: "found" });
 	private readonly views: Record<"order" | "flow", HTMLButtonElement>;
-	private selected = -1;
+	private selected = -1; // pass
+	private resource = -1; // where a texture is shown: its
 	private flow = false;
 
 	constructor(private readonly report: Report, private readonly showPicture: (id: string) => void) {
@@ -38,9 +40,10 @@ export class GraphPanel {
 			el("div", { class: "tools" },
 				el("div", { class: "segments", role: "group", "aria-label": "How the graph is drawn" }, this.views.order, this.views.flow),
 				this.search, this.found,
-				el("span", { class: "legend right" }, el("i", { class: "key read" }), "reads", el("i", { class: "key write" }), "writes", el("i", { class: "key culled" }), "culled", el("i", { class: "key bracket" }), "merged")),
+				el("span", { class: "legend right" }, el("i", { class: "key read" }), "reads", el("i", { class: "key unread" }), "declares and does not read", el("i", { class: "key write" }), "writes", el("i", { class: "key culled" }), "culled", el("i", { class: "key bracket" }), "merged")),
 			el("div", { class: "graph" }, this.view, this.side),
 			drawHeap(report, this.facts));
+		narrow.addEventListener("change", () => this.draw());
 		this.view.addEventListener("scroll", () => this.view.style.setProperty("--scrolled", this.view.scrollLeft + "px"));
 		this.draw();
 	}
@@ -50,20 +53,24 @@ export class GraphPanel {
 		this.search.scrollIntoView({ block: "center" });
 	}
 
-	select(index: number, focus = true): void {
-		this.selected = index;
+	/** Opens a pass, or with a resource that texture as it was at the pass; -1 closes what is open. */
+	select(index: number, resource = -1): void {
+		[this.selected, this.resource] = [index, resource];
 		const pass = this.facts.byIndex.get(index);
-		this.side.replaceChildren(...(pass ? [describePass(this.report, this.facts, pass, {
+		const texture = this.facts.resources.find((one) => one.index === resource);
+		const actions = {
 			showPicture: this.showPicture,
-			selectPass: (other) => this.select(other),
+			selectPass: (other: number) => this.select(other),
+			selectTexture: (other: number, of: number) => this.select(other, of),
 			close: () => {
 				this.select(-1);
 				(this.view.querySelector(`.pass[data-pass="${index}"]`) as SVGElement | null)?.focus();
 			},
-		})] : []));
+		};
+		this.side.replaceChildren(...(pass ? [texture ? describeTexture(this.report, this.facts, pass, texture, actions) : describePass(this.report, this.facts, pass, actions)] : []));
 		this.element.classList.toggle("open", !!pass);
-		if (pass && focus) {
-			(this.side.firstElementChild as HTMLElement).focus({ preventScroll: true });
+		if (pass) {
+			(this.side.firstElementChild as HTMLElement).focus({ preventScroll: !narrow.matches });
 		}
 		this.mark();
 	}
@@ -76,7 +83,7 @@ export class GraphPanel {
 
 	private draw(): void {
 		const select = (index: number) => this.select(index);
-		this.view.replaceChildren(this.flow ? drawFlow(this.facts, this.view.clientWidth - 20, select) : drawOrder(this.facts, select));
+		this.view.replaceChildren(this.flow ? drawFlow(this.facts, this.view.clientWidth - 20, select) : drawOrder(this.facts, select, (pass, resource) => this.select(pass, resource)));
 		const first = this.flow && this.view.querySelector(".pass");
 		if (first) {
 			const [node, view] = [first.getBoundingClientRect(), this.view.getBoundingClientRect()];
@@ -92,7 +99,7 @@ export class GraphPanel {
 		const resources = new Set(this.facts.resources.filter((resource) => wanted && resource.name.toLowerCase().includes(wanted)).map((resource) => resource.index));
 		let found = 0;
 		const pass = this.facts.byIndex.get(this.selected);
-		const used = new Set(pass?.uses.map((use) => use.resource) ?? []);
+		const used = new Set(this.resource >= 0 ? [this.resource] : pass?.uses.map((use) => use.resource) ?? []);
 		for (const node of this.view.querySelectorAll<SVGElement>("[data-pass]")) {
 			const of = this.facts.byIndex.get(Number(node.dataset.pass))!;
 			const text = [of.name, of.shader, of.effect, of.owner].join(" ").toLowerCase();

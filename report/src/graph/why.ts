@@ -8,6 +8,7 @@ export interface GraphFacts {
 	resources: Resource[];
 	milliseconds: Map<number, number>; // by pass
 	byIndex: Map<number, GraphPass>;
+	bound: Map<number, Set<string>>; // parameters that the shader of a pass uses
 }
 
 export function gatherFacts(report: Report): GraphFacts {
@@ -26,7 +27,15 @@ export function gatherFacts(report: Report): GraphFacts {
 			.sort((a, b) => firstUse.get(a.index)! - firstUse.get(b.index)! || a.index - b.index),
 		milliseconds: new Map(report.timing.passes.map((pass) => [pass.index, pass.ms])),
 		byIndex: new Map(passes.map((pass) => [pass.index, pass])),
+		bound: new Map(report.passes.flatMap((pass) => (pass.bound ? [[pass.index, new Set(pass.bound)] as [number, Set<string>]] : []))),
 	};
+}
+
+/** A pass declares that it reads a resource, and its shader does not. */
+export function isUnread(facts: GraphFacts, pass: GraphPass, resource: number): boolean {
+	const bound = facts.bound.get(pass.index);
+	const uses = pass.uses.filter((use) => use.resource === resource);
+	return !!bound && !uses.some((use) => use.writes || bound.has(use.parameter));
 }
 
 export function isMerged(pass: GraphPass): boolean {

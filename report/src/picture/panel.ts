@@ -1,6 +1,6 @@
 // The picture section: the viewer with its controls, the values under the cursor, a histogram and the film strip.
 import { PictureData, pictureUrl } from "../data";
-import { el, section } from "../dom";
+import { el, fold, section } from "../dom";
 import { count, number, percent } from "../format";
 import { drawHistogram } from "./histogram";
 import { Pixels, countOdd, findRange, loadPixels } from "./pixels";
@@ -126,6 +126,7 @@ export class PicturePanel {
 				option.textContent = first.channels[index] ?? option.textContent;
 			}
 		}
+		this.viewer.canvas.style.aspectRatio = String(Math.min(Math.max(first.width / first.height, 0.8), 4));
 		this.viewer.setPictures(first, second);
 		for (const image of this.strip.children) {
 			image.setAttribute("aria-selected", String(image.getAttribute("data-id") === this.a.id));
@@ -146,8 +147,8 @@ export class PicturePanel {
 		this.showFacts();
 	}
 
-	/** Keys of the section, wherever in it the focus is. */
-	press(key: string): boolean {
+	/** Keys of the picture, wherever on the page the focus is; arrows belong to what has the focus. */
+	press(key: string, shift: boolean): boolean {
 		const look = this.viewer.look;
 		const actions: Record<string, () => void> = {
 			a: () => this.setMode("a"),
@@ -162,8 +163,11 @@ export class PicturePanel {
 			E: () => this.setInput("exposure", look.exposure - 0.5),
 			x: () => this.reset(),
 		};
-		actions[key]?.();
-		return key in actions;
+		const known = Object.hasOwn(actions, key) ? (actions[key](), true) : !key.startsWith("Arrow") && this.viewer.press(key, shift);
+		if (known) {
+			this.viewer.canvas.scrollIntoView({ block: "nearest" });
+		}
+		return known;
 	}
 
 	private setInput(name: keyof PicturePanel["inputs"], value: number): void {
@@ -263,17 +267,10 @@ export class PicturePanel {
 			el("span", { class: "group" }, labeled("Range", this.inputs.low), labeled("to", this.inputs.high),
 				el("button", { type: "button", id: "stretch", "data-tip": "From the darkest to the brightest hundredth: depth, masks (key R)", onclick: () => this.stretch() }, "Stretch")),
 			this.toggles.falseColor, this.toggles.odd, el("button", { type: "button", id: "reset", "data-tip": "As it was (key X)", onclick: () => this.reset() }, "Reset"));
-		const element = section("picture", this.options.title ?? "Picture", this.options.note ?? "", tools, looks,
-			el("div", { class: "viewer" }, this.viewer.canvas,
-				el("aside", {}, this.probe, this.facts, this.scale, this.plot)),
-			this.strip);
+		const element = section("picture", this.options.title ?? "Picture", this.options.note ?? "", this.viewer.canvas, this.scale, this.probe,
+			fold("Controls", tools, looks), fold(`All ${count(this.pictures.length, "picture")}`, this.strip),
+			fold("Figures", el("div", { class: "figures-of" }, this.facts, this.plot)));
 		element.dataset.mode = "a";
-		element.addEventListener("keydown", (event) => {
-			const typing = event.target instanceof HTMLInputElement && event.target.type === "number";
-			if (!typing && !(event.target instanceof HTMLSelectElement) && !event.ctrlKey && !event.metaKey && !event.altKey && this.press(event.key)) {
-				event.preventDefault();
-			}
-		});
 		return element;
 	}
 
@@ -290,7 +287,7 @@ export class PicturePanel {
 
 	private showProbe(probe: Probe | null): void {
 		if (!probe || !this.pixels) {
-			this.probe.replaceChildren(el("p", { class: "quiet" }, "Move over the picture for values; shift and arrows step by texel."));
+			this.probe.replaceChildren(el("p", { class: "quiet" }, "Move over the picture for values."));
 			return;
 		}
 		const { channels, precision } = this.pixels;
@@ -301,15 +298,16 @@ export class PicturePanel {
 		const place = (at: number, shown: number, whole: number) => (whole > shown ? Math.floor(((at + 0.5) * whole) / shown) : at);
 		const x = this.a.corner[0] + place(probe.x, this.pixels.width, this.a.size[0]);
 		const y = this.a.corner[1] + place(probe.y, this.pixels.height, this.a.size[1]);
+		const { a, b } = probe;
+		const row = (name: string, cell: (i: number) => string, attributes: (i: number) => Record<string, string | number> = () => ({})) =>
+			el("tr", {}, el("th", { scope: "row" }, name), channels.map((_, i) => el("td", attributes(i), cell(i))));
+		const ofB = (cell: (i: number) => string) => (i: number) => (b && i < b.length ? cell(i) : "");
 		this.probe.replaceChildren(
 			el("h3", {}, `Texel ${x}, ${y}`),
 			el("table", {},
-				el("thead", {}, el("tr", {}, el("th", {}, ""), el("th", {}, "A"), probe.b ? el("th", {}, "B") : null, probe.b ? el("th", {}, "A − B") : null)),
-				el("tbody", {}, channels.map((name, i) => el("tr", {},
-					el("th", {}, name),
-					el("td", { "data-channel": name, "data-value": probe.a[i] }, show(probe.a[i], exact)),
-					probe.b ? el("td", {}, i < probe.b.length ? show(probe.b[i], exact) : "") : null,
-					probe.b ? el("td", {}, i < probe.b.length ? number(probe.a[i] - probe.b[i]) : "") : null)))));
+				el("thead", {}, el("tr", {}, el("th", {}), channels.map((name) => el("th", { scope: "col" }, name)))),
+				el("tbody", {}, row("A", (i) => show(a[i], exact), (i) => ({ "data-channel": channels[i], "data-value": a[i] })),
+					b ? row("B", ofB((i) => show(b[i], exact))) : null, b ? row("A − B", ofB((i) => number(a[i] - b[i]))) : null)));
 	}
 
 	private showFacts(): void {
@@ -349,4 +347,9 @@ export class PicturePanel {
 			el("div", { class: "ramp", style: `background: linear-gradient(90deg, ${colors.join(",")})` }),
 			el("div", { class: "ends" }, ends.map((end) => el("span", {}, end))));
 	}
+}
+
+/** The answers, with the picture at their side where there is room. */
+export function beside(answers: HTMLElement, picture: PicturePanel | null): HTMLElement {
+	return picture ? el("div", { class: "beside" }, answers, picture.element) : answers;
 }

@@ -308,7 +308,7 @@ export class Viewer {
 		this.draw();
 	}
 
-	private press(key: string, shift: boolean): boolean {
+	press(key: string, shift: boolean): boolean {
 		const arrows: Record<string, [number, number]> = {
 			ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 		const arrow = arrows[key];

@@ -1,5 +1,5 @@
 // Shows the parts of the page, and its keys, in two boxes that open on request.
-import { el } from "../dom";
+import { el, table } from "../dom";
 import { bytes, time } from "../format";
 
 /** Filled in by build.mjs: what each part weighs in the bundle, minified. */
@@ -7,10 +7,10 @@ declare const PARTS: { name: string; version: string; license: string; does: str
 
 const keys: [string, string][] = [
 	["/", "search the graph"], ["T", "light or dark"], ["?", "this list"], ["Esc", "closes what is open"],
-	["A  B", "in the picture section: show A, show B; B again flips back"], ["S  I  D", "slider, side by side, difference"],
+	["A  B", "show picture A, show B; B again flips back"], ["S  I  D", "slider, side by side, difference"],
 	["E  shift+E", "half a stop brighter, darker"], ["C  O  R  X", "false colour, odd values, stretch, reset"],
-	["arrows  + −", "on the picture: move and zoom"], ["F  1  N", "fit, texels as pixels, texels with numbers"],
-	["shift+arrows", "move the probe by a texel"], ["[  ]", "move the slider"],
+	["+  −", "zoom"], ["arrows", "on the picture: move it"], ["F  1  N", "fit, texels as pixels, texels with numbers"],
+	["shift+arrows", "on the picture: move the probe by a texel"], ["[  ]", "move the slider"],
 	["arrows, Enter", "on the graph and a matrix: from one to the next, open"],
 	["←  →", "on a plot: from place to place"], [",  .  P  K", "of a sequence: frame before, next, play, B follows"], ["G", "of a study: small panels"],
 ];
@@ -26,8 +26,9 @@ export function makeAbout(version: string, written: string, size: number): HTMLD
 	return el<HTMLDialogElement>("dialog", { id: "about", "aria-label": "About" }, el("h2", {}, "About this page"),
 		el("p", {}, `Written by drydock ${version} on ${time(written)}. ${bytes(size)}, of which ${bytes(total)} are the page itself; it asks for nothing from the network.`),
 		el("p", {}, "Its data are one JSON, in the element #data; docs/report.md describes it."),
-		el("div", { class: "table" }, el("table", {},
-			el("thead", {}, el("tr", {}, ["Part", "Version", "Licence", "Does", "Size"].map((title) => el("th", { scope: "col" }, title)))),
-			el("tbody", {}, PARTS.map((part) => el("tr", {}, el("td", {}, part.name), el("td", {}, part.version), el("td", {}, part.license), el("td", {}, part.does), el("td", { class: "number" }, bytes(part.bytes))))))),
+		table([
+			{ title: "Part", cell: (part) => part.name }, { title: "Version", cell: (part) => part.version }, { title: "Licence", cell: (part) => part.license },
+			{ title: "Does", cell: (part) => part.does }, { title: "Size", number: true, cell: (part) => bytes(part.bytes) },
+		], PARTS),
 		el("form", { method: "dialog" }, el("button", {}, "Close")));
 }

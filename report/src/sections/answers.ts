@@ -1,7 +1,7 @@
 // The five questions a report answers first, each with one sentence and the way to the section that says more.
-import { PictureData, Report, Run, realPasses, shortName } from "../data";
+import { Difference, PictureData, Report, realPasses, shortName } from "../data";
 import { el } from "../dom";
-import { bytes, count, ms, number, percent, time, value } from "../format";
+import { bytes, count, ms, number, percent, time } from "../format";
 import { loadPixels } from "../picture/pixels";
 import { subtract } from "../picture/shade";
 
@@ -21,10 +21,12 @@ function whether(report: Report): HTMLElement {
 	const { run, timing } = report;
 	const [x0, y0, x1, y1] = run.scene.viewRect;
 	const ran = run.passes.filter((pass) => pass.executed).length;
-	const warnings = run.warnings.length;
+	const warnings = run.warnings.filter((message) => message.severity === "warning").length;
+	const notes = run.warnings.length - warnings;
+	const said = [warnings ? count(warnings, "warning") : "", notes ? count(notes, "note") : ""].filter(Boolean).join(" and ");
 	return row("worked", "Did it work?", warnings ? "note" : "good", [
 		`Yes: ${count(ran, "pass", "passes")} made a picture of ${x1 - x0} × ${y1 - y0} in ${ms(timing.wallMs)}, `,
-		warnings ? to("messages", `with ${count(warnings, "warning")}`) : "without a warning", ".",
+		said ? to("messages", `with ${said}`) : "without a warning", ".",
 	], run.warnings.slice(0, 3).map((warning) => `${warning.code}  ${warning.message}`));
 }
 
@@ -72,50 +74,42 @@ function whereTime(report: Report): HTMLElement {
 	], [`Heap ${bytes(report.run.memory.transientPeakBytes)} at its peak`]);
 }
 
-/** Describes what a person did to the frame: settings, effects, passes that differ between two runs. */
-export function describeChanges(before: Run, now: Run): string[] {
-	const lines: string[] = [];
-	for (const [name, of] of Object.entries(now.settings)) {
-		if (JSON.stringify(of) !== JSON.stringify(before.settings[name])) {
-			lines.push(`${name}: ${value(before.settings[name])} → ${value(of)}`);
-		}
-	}
-	for (const effect of now.effects) {
-		const was = before.effects.find((other) => other.name === effect.name);
-		if (was && was.active !== effect.active) {
-			lines.push(`${effect.name} ${effect.active ? "runs now" : "no longer runs"}: ${effect.reason}`);
-		}
-	}
-	const name = (run: Run) => new Set(run.passes.filter((pass) => pass.executed).map((pass) => pass.name));
-	const [old, fresh] = [name(before), name(now)];
-	const added = [...fresh].filter((pass) => !old.has(pass));
-	const gone = [...old].filter((pass) => !fresh.has(pass));
-	if (added.length) {
-		lines.push(`new passes: ${added.map(shortName).join(", ")}`);
-	}
-	if (gone.length) {
-		lines.push(`passes gone: ${gone.map(shortName).join(", ")}`);
-	}
-	return lines;
+const kindNames: [Difference["kind"], string, string][] = [["setting", "setting", "settings"], ["variable", "console variable", "console variables"], ["input", "input", "inputs"],
+	["other", "other thing", "other things"], ["effect", "effect", "effects"], ["pass", "pass", "passes"]];
+
+export function sectionOf(kind: Difference["kind"]): string {
+	return kind === "pass" ? "passes" : kind === "other" ? kind : kind + "s";
 }
 
-function changed(report: Report, showDifference: () => void): HTMLElement {
+/** "2 settings and 7 passes differ." link: to the section of a kind. */
+export function nameDifferences(differences: Difference[], link?: (section: string, label: string) => HTMLElement): (Node | string)[] {
+	const parts = kindNames.flatMap(([kind, one, many]): (Node | string)[] => {
+		const found = differences.filter((line) => line.kind === kind).length;
+		const label = count(found, one, many);
+		return found ? [link ? link(sectionOf(kind), label) : label] : [];
+	});
+	return [...parts.flatMap((part, i) => (i === 0 ? [part] : [i === parts.length - 1 ? " and " : ", ", part])), differences.length === 1 ? " differs." : " differ."];
+}
+
+export function showDifference({ kind, name, a, b }: Difference): string {
+	return kind === "input" ? `${name}: ${a ? (b ? "another content" : "gone") : "new"}` : `${name}: ${a || "none"} → ${b || "none"}`;
+}
+
+function changed(report: Report, showPictures: () => void): HTMLElement {
 	const { previous } = report;
 	if (!previous) {
 		return row("changed", "What changed?", "good", ["There is no earlier run in this folder to compare with."]);
 	}
-	const lines = describeChanges(previous.run, report.run);
-	const picture = el("span", {}, "");
+	const { differences } = previous;
+	const picture = el("span", {}, "the pictures are being compared");
 	const final = report.pictures.find((one) => one.role === "final");
 	const before = report.pictures.find((one) => one.role === "previous");
 	if (final && before) {
 		void comparePictures(final, before).then((text) =>
-			picture.replaceChildren(el("button", { type: "button", class: "link", onclick: showDifference }, text)));
+			picture.replaceChildren(el("button", { type: "button", class: "link", onclick: showPictures }, text)));
 	}
-	const faster = previous.timing ? report.timing.executeMs - previous.timing.executeMs : 0;
-	return row("changed", "What changed?", "note", [`Since the run of ${time(previous.written)}: `, picture,
-		lines.length ? `; ${count(lines.length, "change")} of what it is made from` : "; made from the same settings, effects and passes",
-		previous.timing ? `; passes ${faster < 0 ? "−" : "+"}${ms(Math.abs(faster))}.` : "."], lines.slice(0, 6));
+	return row("changed", "What changed?", "note", [`Since the run of ${time(previous.written)}: `, picture, "; ",
+		...(differences.length ? nameDifferences(differences) : ["made from the same settings, variables, inputs, effects and passes."])], differences.slice(0, 6).map(showDifference));
 }
 
 async function comparePictures(a: PictureData, b: PictureData): Promise<string> {
@@ -132,6 +126,6 @@ export function listAnswers(...rows: HTMLElement[]): HTMLElement {
 	return el("ol", { class: "answers", id: "answers" }, rows);
 }
 
-export function makeAnswers(report: Report, showDifference: () => void): HTMLElement {
-	return listAnswers(whether(report), leftOut(report), notFinite(report), whereTime(report), changed(report, showDifference));
+export function makeAnswers(report: Report, showPictures: () => void): HTMLElement {
+	return listAnswers(whether(report), leftOut(report), notFinite(report), whereTime(report), changed(report, showPictures));
 }

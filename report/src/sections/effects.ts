@@ -5,9 +5,10 @@ import { bytes, ms } from "../format";
 
 export function makeEffects(report: Report): HTMLElement {
 	const { explain } = report;
-	const cost = (name: string) => explain?.effects.find((effect) => effect.name === name);
-	const rows = [...report.run.effects].sort((a, b) => Number(b.active) - Number(a.active));
-	const compare = explain && [
+	const cost = (name: string) => [...(explain?.effects ?? []), ...(explain?.plugins ?? [])].find((effect) => effect.name === name);
+	const plugins = (explain?.plugins ?? []).map((plugin) => ({ name: plugin.name, active: plugin.passes > 0, reason: plugin.passes ? "adds passes" : "its passes are culled" }));
+	const rows: Effect[] = [...plugins, ...report.run.effects].sort((a, b) => Number(b.active) - Number(a.active));
+	const compare = explain && explain.cost.ms !== explain.withoutSkipping.ms && [
 		["Passes", String(explain.cost.passes), String(explain.withoutSkipping.passes)],
 		["Channels decoded", String(explain.cost.channels), String(explain.withoutSkipping.channels)],
 		["Transient memory", bytes(explain.cost.transientPeakBytes), bytes(explain.withoutSkipping.transientPeakBytes)],

@@ -20,6 +20,7 @@ function name(report: Report, setting: Setting): HTMLElement {
 
 export function makeSettings(report: Report): HTMLElement {
 	const rows = report.settings;
+	const variables = report.run.variables ?? [];
 	const volumes = report.blend?.volumes ?? [];
 	return section("settings", "Settings", `${count(rows.length, "setting")} of ${Object.keys(report.run.settings).length} differ from their defaults. Open one for its story.`,
 		rows.length ? table<Setting>([
@@ -28,6 +29,12 @@ export function makeSettings(report: Report): HTMLElement {
 			{ title: "Default", number: true, cell: (row) => value(row.default) },
 			{ title: "Read by", cell: (row) => (row.unread ? el("em", {}, row.unread) : row.effect || el("span", { class: "quiet" }, "no effect")) },
 		], rows) : null,
+		variables.length ? el("h3", {}, "Console variables that were set") : null,
+		variables.length ? table([
+			{ title: "Variable", cell: (row) => row.name },
+			{ title: "Value", number: true, cell: (row) => el("strong", {}, row.value) },
+			{ title: "Set by", cell: (row) => row.setBy },
+		], variables) : null,
 		volumes.length ? el("h3", {}, "Volumes") : null,
 		volumes.length ? table([
 			{ title: "Volume", cell: (row) => row.name },

@@ -20,7 +20,7 @@ function stack(timing: Timing, label: string): HTMLElement {
 			parts.map(([key, name, tip], i) => {
 				const part = timing[key] as number;
 				return el("span", { class: "part part-" + i, style: `flex-grow:${part / sum}`, "data-tip": `${name}: ${ms(part)}, ${percent(part / sum)} (${tip})` },
-					part / sum > 0.07 ? `${name} ${ms(part)}` : "");
+					part / sum > 0.07 ? el("span", {}, `${name} ${ms(part)}`) : "");
 			})),
 		el("span", { class: "number" }, ms(timing.wallMs)));
 }
@@ -33,6 +33,7 @@ export function makeTime(report: Report, openPass: (index: number) => void): HTM
 	const longest = Math.max(...rows.map((row) => row.ms), ...old.values(), 0.001);
 	const counters = (index: number) => run.passes.find((pass) => pass.index === index)!;
 	return section("time", "Time", `${timing.threads} threads on ${timing.cpu}`,
+		el("p", { class: "note narrow" }, parts.map(([key, name]) => `${name} ${ms(timing[key] as number)}`).join(", ")),
 		stack(timing, "this run"), previous?.timing ? stack(previous.timing, "before") : null,
 		table([
 			{ title: "Pass", cell: (row) => el("button", { type: "button", class: "link", onclick: () => openPass(row.index) }, `${row.index}  ${shortName(row.name)}`) },
@@ -41,11 +42,11 @@ export function makeTime(report: Report, openPass: (index: number) => void): HTM
 				title: old.size ? "mark: the run before" : "", cell: (row) => el("span", { class: "bar", style: `--share:${row.ms / longest}` },
 					old.has(row.name) ? el("i", { style: `left:${(100 * old.get(row.name)!) / longest}%`, "data-tip": `before: ${ms(old.get(row.name)!)}` }) : null),
 			},
-			{ title: "of passes", number: true, cell: (row) => percent(row.ms / timing.executeMs) },
-			{ title: "ns a pixel", number: true, cell: (row) => (counters(row.index).pixels ? number(Number(((row.ms * 1e6) / counters(row.index).pixels).toPrecision(3))) : "") },
-			{ title: "Taps", number: true, cell: (row) => (counters(row.index).taps ? big(counters(row.index).taps!) : "") },
-			{ title: "Moved", number: true, cell: (row) => bytes(counters(row.index).bytesRead + counters(row.index).bytesWritten) },
-			{ title: "GB/s", number: true, cell: (row) => (row.ms ? number(Number(((counters(row.index).bytesRead + counters(row.index).bytesWritten) / row.ms / 1e6).toPrecision(3))) : "") },
+			{ title: "of passes", wide: true, number: true, cell: (row) => percent(row.ms / timing.executeMs) },
+			{ title: "ns a pixel", wide: true, number: true, cell: (row) => (counters(row.index).pixels ? number(Number(((row.ms * 1e6) / counters(row.index).pixels).toPrecision(3))) : "") },
+			{ title: "Taps", wide: true, number: true, cell: (row) => (counters(row.index).taps ? big(counters(row.index).taps!) : "") },
+			{ title: "Moved", wide: true, number: true, cell: (row) => bytes(counters(row.index).bytesRead + counters(row.index).bytesWritten) },
+			{ title: "GB/s", wide: true, number: true, cell: (row) => (row.ms ? number(Number(((counters(row.index).bytesRead + counters(row.index).bytesWritten) / row.ms / 1e6).toPrecision(3))) : "") },
 		], rows, (row) => ({ hidden: rows.indexOf(row) >= shown })),
 		rows.length > shown ? el("p", {}, el("button", { type: "button", class: "link", onclick: (event: Event) => {
 			document.querySelectorAll("#time tr[hidden]").forEach((row) => row.removeAttribute("hidden"));

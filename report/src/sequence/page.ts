@@ -2,7 +2,7 @@
 import { Plot, Plots, Series, makeAxis, makeSeries } from "../chart";
 import { el, section } from "../dom";
 import { count, ms, number, percent } from "../format";
-import { PicturePanel } from "../picture/panel";
+import { PicturePanel, beside } from "../picture/panel";
 import { listAnswers, row, to } from "../sections/answers";
 import { WalkPanel } from "../sections/walk";
 import { SequenceReport } from "./data";
@@ -44,7 +44,7 @@ function answers(report: SequenceReport): HTMLElement {
 export class SequencePage {
 	readonly parts: HTMLElement[];
 	readonly sections: [string, string][];
-	private readonly picture: PicturePanel;
+	readonly picture: PicturePanel;
 	private readonly plots: Plots;
 	private readonly walk: WalkPanel | null;
 	private readonly scrubber: HTMLInputElement;
@@ -62,13 +62,13 @@ export class SequencePage {
 			this.show(this.at());
 		} }, "B: frame before");
 		this.picture = new PicturePanel(report.pictures, { title: "Frames", note: this.describePictures(), onChoose: (a) => this.chosen(a.id) });
-		this.picture.element.querySelector(".tools")!.before(el("div", { class: "tools scrub" },
+		this.picture.element.querySelector(".probe")!.after(el("div", { class: "tools scrub" },
 			this.playing, el("button", { type: "button", id: "earlier", "data-tip": "The frame before (key ,)", "aria-label": "The frame before", onclick: () => this.show(this.at() - 1) }, "‹"),
 			el("button", { type: "button", id: "later", "data-tip": "The next frame (key .)", "aria-label": "The next frame", onclick: () => this.show(this.at() + 1) }, "›"),
 			this.scrubber, this.where, this.follow));
 		this.plots = new Plots(frames.map((frame) => frame.frame), this.makeCharts(), { id: "plots", name: (index) => `frame ${frames[index].frame}`, choose: (index) => this.show(index) });
 		this.walk = report.walk ? new WalkPanel(report.walk, true) : null;
-		this.parts = [answers(report), this.picture.element,
+		this.parts = [beside(answers(report), this.picture),
 			section("over-time", "Over time", "By frame. A click, or the arrows, choose one.", this.plots.element),
 			...(this.walk ? [section("settings", "Settings", "", this.walk.element)] : [])];
 		this.sections = [["picture", "Frames"], ["over-time", "Over time"], ...(this.walk ? [["settings", "Settings"] as [string, string]] : [])];
@@ -78,10 +78,6 @@ export class SequencePage {
 	readonly keys: Record<string, () => void> = {
 		",": () => this.show(this.at() - 1), ".": () => this.show(this.at() + 1), p: () => this.play(), k: () => this.follow.click(),
 	};
-
-	redraw(): void {
-		void this.picture.choose(this.picture.selectedA, this.picture.selectedB);
-	}
 
 	private at(): number {
 		return Number(this.scrubber.value);

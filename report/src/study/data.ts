@@ -7,10 +7,11 @@ export interface Figures {
 	relative: number | null;
 	psnr: number | null;
 	ssim: number | null;
+	flip: number | null;
 	taps: number;
 }
 
-export type Metric = "max" | "rms" | "relative" | "psnr" | "ssim";
+export type Metric = "max" | "rms" | "relative" | "psnr" | "ssim" | "flip";
 
 export interface VariantResult extends Figures {
 	label: string;
@@ -75,7 +76,7 @@ export interface Point {
 	inset: Inset | undefined;
 }
 
-export const metricNames: Record<Metric, string> = { max: "largest error", rms: "RMS error", relative: "relative error", psnr: "PSNR", ssim: "SSIM" };
+export const metricNames: Record<Metric, string> = { max: "largest error", rms: "RMS error", relative: "relative error", psnr: "PSNR", ssim: "SSIM", flip: "FLIP" };
 
 export function gatherPoints(report: StudyReport, job: number): Point[] {
 	const timing = report.timing.jobs[job];

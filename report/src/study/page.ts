@@ -4,7 +4,7 @@ import { el, section, table } from "../dom";
 import { ms, number } from "../format";
 import { Metric, Point, StudyReport, gatherPoints, metricNames } from "./data";
 
-const metrics: Metric[] = ["rms", "max", "relative", "psnr", "ssim"];
+const metrics: Metric[] = ["rms", "max", "relative", "psnr", "ssim", "flip"];
 
 type Cost = "time" | "taps";
 

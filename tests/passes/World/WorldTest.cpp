@@ -36,7 +36,7 @@ public:
 	ATickingActor() { PrimaryActorTick.bCanEverTick = true; }
 	void Tick(float DeltaSeconds) override
 	{
-		NumTicks += DeltaSeconds == 0.0f;
+		NumTicks += DeltaSeconds == 0.25f;
 		if (NumTicks == 2)
 		{
 			SetActorTickEnabled(false);
@@ -90,7 +90,9 @@ TEST(World, ActorsThatCanTickDoSoUntilTheyStop)
 	ATestActor* const Other = GWorld->SpawnActor<ATestActor>();
 	for (int32 Frame = 0; Frame < 4; ++Frame)
 	{
-		GWorld->TickActors();
+		GWorld->Tick(0.25f, 0.25 * Frame);
+		EXPECT_EQ(0.25 * Frame, GWorld->GetTimeSeconds());
+		EXPECT_EQ(0.25f, GWorld->GetDeltaSeconds());
 	}
 	EXPECT_EQ(2, Actor->NumTicks);
 	Actor->Destroy();

@@ -230,7 +230,7 @@ TEST(PostProcessingChain, AnotherSizeWithItsOwnRectIsRescaled)
 	const auto Extension = MakeExtension(
 		EPoint::MotionBlur, [](const FCall& Call) { return Call.MakeTexture(FIntPoint(6, 4), PF_FloatRGBA, Red); });
 	const FFrameResult Frame = Render();
-	EXPECT_TRUE(Frame.Log.Diagnostics.empty());
+	EXPECT_EQ((std::vector<int>{NoteCallbackSize}), GetCodes(Frame));
 	EXPECT_EQ(6, Frame.SceneLinear.Width);
 	EXPECT_EQ(Width, Frame.Final.Width);
 	EXPECT_GT(Frame.Final.Get(Width - 1, Height - 1, 0), 0.5);
@@ -411,6 +411,38 @@ TEST(BrokenContracts, ReturningTheInputAloneIsRemarkedOn)
 	const FFrameResult Frame = Render();
 	EXPECT_EQ((std::vector<int>{NoteCallbackDidNothing}), GetCodes(Frame));
 	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics.at(0).Severity);
+}
+
+TEST(BrokenContracts, AnotherSizeIsRemarkedOn)
+{
+	const auto Extension = MakeExtension(EPoint::MotionBlur,
+		[](const FCall& Call) { return Call.MakeTexture(FIntPoint(Width / 2, Height / 2), PF_FloatRGBA, Red); });
+	const FFrameResult Frame = Render();
+	EXPECT_EQ((std::vector<int>{NoteCallbackSize}), GetCodes(Frame));
+	EXPECT_EQ(ESeverity::Note, Frame.Log.Diagnostics.at(0).Severity);
+	const std::string Sizes = "a view of " + std::to_string(Width / 2) + " x " + std::to_string(Height / 2) +
+							  ", and its input is " + std::to_string(Width) + " x " + std::to_string(Height);
+	EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].Message.find(Sizes)) << Frame.Log.Diagnostics[0].Message;
+}
+
+TEST(BrokenContracts, AFormatThatCutsLightIsAWarning)
+{
+	const auto ReturnBytes = [](const FCall& Call)
+	{
+		return Call.MakeTexture(FIntPoint(Width, Height), PF_B8G8R8A8, Red);
+	};
+	{
+		const auto Extension = MakeExtension(EPoint::MotionBlur, ReturnBytes);
+		const FFrameResult Frame = Render();
+		EXPECT_EQ((std::vector<int>{WarnCallbackFormat}), GetCodes(Frame));
+		EXPECT_EQ(ESeverity::Warning, Frame.Log.Diagnostics.at(0).Severity);
+		EXPECT_NE(std::string::npos, Frame.Log.Diagnostics[0].Message.find("is linear light of "))
+			<< Frame.Log.Diagnostics[0].Message;
+	}
+	// Behind the tonemapper 8 bits are the rule. A second extension stands behind the first one, which is not the last.
+	const auto First = MakeExtension(EPoint::Tonemap, ReturnBytes);
+	const auto Last = MakeExtension(EPoint::Tonemap, FillRed);
+	EXPECT_EQ(std::vector<int>(), GetCodes(Render()));
 }
 
 TEST(BrokenContracts, AnUnboundDelegateIsPassedOver)

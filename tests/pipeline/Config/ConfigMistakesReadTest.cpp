@@ -75,7 +75,7 @@ TEST(ConfigMistakes, FiveMistakesGiveFiveMessagesInTheOrderOfTheFile)
 
 TEST(ConfigMistakes, SyntaxErrorIsTheOnlyMessage)
 {
-	EXPECT_EQ("1001 error 1:14 ", Only(R"({"scen": {}, }})"));
+	EXPECT_EQ("1001 error 1:12 ", Only(R"({"scen": {}, }})"));
 }
 
 TEST(ConfigMistakes, MessageReadsAsDesigned)

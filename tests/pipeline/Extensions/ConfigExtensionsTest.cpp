@@ -117,6 +117,7 @@ TEST(ConfigExtensions, UnknownHook)
 TEST(ConfigPasses, UnknownTypeInputAndResource)
 {
 	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Gaussian", "at": "MotionBlur")")), "2081 "));
+	EXPECT_EQ("0 mistakes", OnlyMistake(Pass(R"("type": "TINT", "at": "MotionBlur")"))); // as Unity writes names
 	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Tint", "at": "MotionBlur", "inputs": {"Imput": "SceneColor"})")),
 		"did you mean Input?"));
 	EXPECT_TRUE(Contains(OnlyMistake(Pass(R"("type": "Tint", "at": "MotionBlur", "inputs": {"Input": "SceneColour"})")),

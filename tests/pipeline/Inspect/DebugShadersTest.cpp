@@ -225,11 +225,11 @@ TEST_F(DebuggedRun, GdbStopsAtALineAndShowsTheAuthorsVariables)
 										"info locals\n"
 										"next\nprint Sum\n"
 										"finish\n"
-										"call DrydockDebugPixel(3, 4)\ncall DrydockDebugPixel(6, 0)\n"
+										"set var DrydockPixel.x = 3\nset var DrydockPixel.y = 4\n"
 										"continue\nprint DrydockPixel\n"
 										"delete\nbreak PlantedFaults.usf:32\n"
 										"skip -gfi */rdg/inspect/*\n" // where drydock itself has debug information
-										"call DrydockDebugPixel(2, 1)\ncontinue\n"
+										"set var DrydockPixel.x = 2\nset var DrydockPixel.y = 1\ncontinue\n"
 										"step\nprint Strength\n"
 										"kill\n",
 		"--debug-shaders 4,3 --pass PlantedFaults");
@@ -241,8 +241,7 @@ TEST_F(DebuggedRun, GdbStopsAtALineAndShowsTheAuthorsVariables)
 		"$2 = {x = 0.5, y = 0.5, z = 0.5, w = 1}", "$3 = 1", "$4 = 1", "type = int2",
 		"Sum = {x = 0.5, y = 0.5, z = 0.5, w = 1}", "Weight = 1", "i = 2", "Tap = 2", "Weight += Tap;",
 		"$5 = {x = 1.5, y = 1.5, z = 1.5, w = 3}", "Value returned is $6 = {x = 0.5, y = 0.5, z = 0.5, w = 1}",
-		"this pixel is next: continue", "outside of what this pass draws", "$9 = {x = 3, y = 4, z = 0}",
-		"PlantedFaults.usf:32", "Blur (", "Strength=1", "PlantedFaults.usf:9", "$11 = 1"};
+		"$7 = {x = 3, y = 4, z = 0}", "PlantedFaults.usf:32", "Blur (", "Strength=1", "PlantedFaults.usf:9", "$8 = 1"};
 	size_t From = 0;
 	for (const std::string& Part : Parts)
 	{
@@ -250,6 +249,32 @@ TEST_F(DebuggedRun, GdbStopsAtALineAndShowsTheAuthorsVariables)
 		const size_t At = Printed.find(Part, bLocal ? 0 : From);
 		ASSERT_NE(std::string::npos, At) << "no '" << Part << "' in\n" << Printed;
 		From = bLocal ? From : At;
+	}
+}
+
+TEST_F(DebuggedRun, AFunctionOrAVariableChoosesTheNextPixel)
+{
+	const std::string Outside = "outside of what this pass draws";
+	const std::string More = "--debug-shaders 4,3 --pass PlantedFaults";
+	const std::string Set = CallGdb("break PlantedFaults.usf:14 if i == 2\nrun\ndelete\n"
+									"set var DrydockPixel.x = 6\ncontinue\n",
+		More);
+	if (Set.empty())
+	{
+		GTEST_SKIP() << "there is no gdb";
+	}
+	EXPECT_NE(std::string::npos, Set.find("DrydockPixel: " + Outside)) << Set;
+	const std::string Called = CallGdb("break PlantedFaults.usf:14 if i == 2\nrun\n"
+									   "call DrydockDebugPixel(6, 0)\ncall DrydockDebugPixel(3, 4)\n"
+									   "continue\nprint DrydockPixel\nkill\n",
+		More);
+	if (Called.find("Couldn't write extended state status") != std::string::npos)
+	{
+		GTEST_SKIP() << "this gdb cannot call functions on this CPU";
+	}
+	for (const char* const Part : {Outside.c_str(), "this pixel is next: continue", "{x = 3, y = 4, z = 0}"})
+	{
+		EXPECT_NE(std::string::npos, Called.find(Part)) << "no '" << Part << "' in\n" << Called;
 	}
 }
 

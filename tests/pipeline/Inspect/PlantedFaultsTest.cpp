@@ -199,6 +199,80 @@ TEST_F(PlantedFaults, ATraceShowsTheLoopThatAddsNothing)
 	EXPECT_THAT(Outcome.Printed, Not(HasSubstr("pow(")));
 }
 
+TEST_F(PlantedFaults, ParametersOnTheStackAreAnError)
+{
+	const FOutcome Outcome = Folder.Call("run " + Common(12) + "--out out");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_THAT(Outcome.Printed,
+		testing::ContainsRegex("PlantedFaults.cpp:[0-9]+: error DD2018 at plugin libPlantedFaults.so, .*, pass "
+							   "PlantedFaults: the parameters lie on the stack of the callback at MotionBlur of "
+							   "extension FPlantedFaultsExtension"));
+}
+
+TEST_F(PlantedFaults, ABufferOfOtherElementsIsAnError)
+{
+	const FOutcome Outcome = Folder.Call("run " + Common(13) + "--out out");
+	EXPECT_EQ(2, Outcome.ExitCode);
+	EXPECT_THAT(Outcome.Printed, HasSubstr("DD6105"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("'Items' has elements of 16 bytes where it is read by"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("and the buffer PlantedItems was created with elements of 4"));
+}
+
+TEST_F(PlantedFaults, ThreadsGivenAsGroupsAreNoted)
+{
+	const FOutcome Outcome = Folder.Call("run " + Common(14) + "--out out");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(Outcome.Printed,
+		HasSubstr("note DD2056 at shader class FPlantedCopyCS: the dispatch has 6 x 5 groups of 8 x 8 threads, and Out "
+				  "has 6 x 5 texels, which 1 group covers"));
+	EXPECT_THAT(Folder.Call("run " + Common(0) + "--out out").Printed, Not(HasSubstr("DD2056")));
+}
+
+TEST_F(PlantedFaults, APluginThatTakesNoPartIsNoted)
+{
+	const FOutcome Outcome = Folder.Call("run " + Common(15) + "--out out");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	EXPECT_THAT(
+		Outcome.Printed, HasSubstr("note DD2076 at plugin libPlantedFaults.so: no extension of the plugin took part: "
+								   "FPlantedFaultsExtension subscribed nothing, added no pass and changed no setting"));
+	EXPECT_THAT(Folder.Call("run " + Common(0) + "--out out").Printed, Not(HasSubstr("DD2076")));
+}
+
+TEST_F(PlantedFaults, ShadersThatTheEngineWouldNotFindAreNoted)
+{
+	EXPECT_THAT(Folder.Call("run " + Common(0) + "--out out").Printed,
+		HasSubstr(
+			"the plugin does not map /Plugin/PlantedFaults, and the engine will not find /Plugin/PlantedFaults/"));
+	// Gate maps its own.
+	EXPECT_THAT(
+		Folder.Call("run faults.json --out out --plugin " DRYDOCK_TEST_BINARY_DIR "/lib/libGlowGrade.so").Printed,
+		Not(HasSubstr("DD2077")));
+}
+
+TEST_F(PlantedFaults, TexelsThatNothingWroteAreNamedWithTheirReader)
+{
+	Drydock::WriteExr((Folder.Path / "scene.exr").string(),
+		Drydock::FImage{20, 12, 3, std::vector<double>(20 * 12 * 3, 0.5)}, {"R", "G", "B"});
+	const FOutcome Outcome = Folder.Call("run " + Common(16) + "--out out");
+	EXPECT_EQ(0, Outcome.ExitCode) << Outcome.Printed;
+	// 2 x 1 groups of 8 x 8 cover 16 x 8 of 20 x 12.
+	EXPECT_THAT(Outcome.Printed, HasSubstr("warning DD4006 at pass "));
+	EXPECT_THAT(
+		Outcome.Printed, HasSubstr("the pass reads texels of PlantedFaults that nothing wrote: 112 of 20 x 12, the "
+								   "first at (16, 0)"));
+	EXPECT_THAT(Outcome.Printed, HasSubstr("Its writer is PlantedCopy, of 2 x 1 groups of 8 x 8 threads."));
+	const std::string First = Folder.Read("out/final.exr");
+	Folder.Call("run " + Common(16) + "--out out");
+	EXPECT_EQ(First, Folder.Read("out/final.exr")) << "such texels are 0";
+	EXPECT_THAT(Folder.Call("run " + Common(0) + "--out out").Printed, Not(HasSubstr("DD4006")));
+	const FOutcome Proven = Folder.Call("prove " + Common(16));
+	EXPECT_EQ(1, Proven.ExitCode);
+	EXPECT_THAT(Proven.Printed, HasSubstr("NOT REPEATABLE"));
+	EXPECT_THAT(Proven.Printed, HasSubstr("OneThread"));
+	EXPECT_THAT(Proven.Printed, HasSubstr("not asked: the frame is not repeatable"));
+	EXPECT_THAT(Proven.Printed, Not(HasSubstr("DIFFERS")));
+}
+
 TEST_F(PlantedFaults, AMisspeltCheckIsNamed)
 {
 	const FOutcome Outcome = Folder.Call("run " + Common(0) + "--out out --check bonds");

@@ -60,14 +60,32 @@ TEST(MatrixTable, AllIsWell)
 	Matrix.bStockConfig = true;
 	EXPECT_EQ(R"(MyTint under engine 5.4 and 5.5, on drydock's own small frame
 
-engine  builds  compiler  runs  warnings  picture      first difference
-5.4     yes     -         yes   -         01234567     -
-5.5     yes     -         yes   -         same as 5.4  -
+engine  builds  in the engine  compiler  runs  warnings  picture      first difference
+5.4     yes     yes            -         yes   -         01234567     -
+5.5     yes     yes            -         yes   -         same as 5.4  -
 
 Builds, runs and draws the same under 5.4 and 5.5.
 )",
 		FormatMatrix(Matrix));
 	EXPECT_EQ(ExitDone, GetMatrixExitCode(Matrix));
+}
+
+TEST(MatrixTable, NamesThatAVersionLacksOrDeprecates)
+{
+	FMatrixRow Lacks = MakeGood(4, GOne, std::nullopt);
+	Lacks.Build.InEngine = {"A.cpp:3: engine 5.4 does not have FNew::F, which is there from 5.5 on (uncertain)",
+		"A.cpp:4: engine 5.4 does not have ISceneViewExtension::GetFlags, which is there from 5.7 on"};
+	FMatrixRow Unsure = MakeGood(5, GOne, 4);
+	Unsure.Build.InEngine = {"A.cpp:3: engine 5.5 does not have FNew::G, which is there from 5.6 on (uncertain)"};
+	FMatrixRow Old = MakeGood(8, GOne, 5);
+	Old.Build.InEngine = {"A.cpp:5: engine 5.8 deprecates FCoreDelegates::OnPostEngineInit: use another"};
+	const std::string Text = FormatMatrix(MakeMatrix({Lacks, Unsure, Old}));
+	for (const char* const Part :
+		{"no: ISceneViewExtension::GetFlags", "uncertain: FNew::G", "deprecated: FCoreDelegates::OnPostEngineInit",
+			"5.8: A.cpp:5: that engine deprecates FCoreDelegates::OnPostEngineInit: use another"})
+	{
+		EXPECT_NE(std::string::npos, Text.find(Part)) << Text;
+	}
 }
 
 TEST(MatrixTable, EverythingThatCanBe)
@@ -86,13 +104,13 @@ TEST(MatrixTable, EverythingThatCanBe)
 		{MakeBroken(1), MakeBroken(2), MakeGood(4, GOne, std::nullopt), MakeFailed(5, 71, GCrash), Other, Back});
 	EXPECT_EQ(R"(MyTint under engine 5.1, 5.2 and 5.4 to 5.7, on frame.json
 
-engine  builds             compiler    runs                                   warnings           picture                                              first difference
-5.1     no: MyTint.cpp:41  -           -                                      -                  -                                                    -
-5.2     no: MyTint.cpp:41  -           -                                      -                  -                                                    -
-5.4     yes                -           yes                                    -                  01234567                                             -
-5.5     yes                -           crashes: SetupView of extension FTint  -                  -                                                    -
-5.6     yes                -           yes                                    DD2070 x2, DD2054  off by 0.0625 at 1234 pixels, first (3, 4)           Tonemap 320x180 draws something else
-5.7     yes                2 warnings  yes                                    -                  off by 0.0625 at 1 pixel, first (0, 0); same as 5.4  Tint is new
+engine  builds             in the engine  compiler    runs                                   warnings           picture                                              first difference
+5.1     no: MyTint.cpp:41  -              -           -                                      -                  -                                                    -
+5.2     no: MyTint.cpp:41  -              -           -                                      -                  -                                                    -
+5.4     yes                yes            -           yes                                    -                  01234567                                             -
+5.5     yes                yes            -           crashes: SetupView of extension FTint  -                  -                                                    -
+5.6     yes                yes            -           yes                                    DD2070 x2, DD2054  off by 0.0625 at 1234 pixels, first (3, 4)           Tonemap 320x180 draws something else
+5.7     yes                yes            2 warnings  yes                                    -                  off by 0.0625 at 1 pixel, first (0, 0); same as 5.4  Tint is new
 
 5.1 and 5.2: Source/MyTint.cpp:41: 'FSlice' was not declared in this scope
 5.5: DD2086 at plugin libTint.so, SetupView of extension FTint: the plugin crashed: segmentation fault

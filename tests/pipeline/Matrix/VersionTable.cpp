@@ -3,6 +3,7 @@
 
 #include "ExtensionFactory.h"
 #include "Extensions/EngineHooks.h"
+#include "Patch/EngineApi.h"
 
 #include <algorithm>
 #include <vector>
@@ -32,11 +33,12 @@ FVersionRow MakeProfileRow(const std::string& What, bool FEngineProfile::*Member
 /** In a function of its own, so that a new member of the profile does not compile until it is listed here. */
 std::vector<FVersionRow> MakeMathsRows()
 {
-	const auto& [Minor, bShadowContrast, bRamp, bThresholds] = GetDefaultEngineProfile();
+	const auto& [Minor, bShadowContrast, bRamp, bThresholds, bUnbound] = GetDefaultEngineProfile();
 	static_cast<void>(Minor);
 	static_cast<void>(bShadowContrast);
 	static_cast<void>(bRamp);
 	static_cast<void>(bThresholds);
+	static_cast<void>(bUnbound);
 	return {
 		MakeProfileRow("maths: `LocalExposureShadowContrastScale` starts at the highlights' console variable",
 			&FEngineProfile::bShadowContrastOfHighlights),
@@ -44,6 +46,9 @@ std::vector<FVersionRow> MakeMathsRows()
 			&FEngineProfile::bBloomRampWithoutThreshold),
 		MakeProfileRow("settings: `LocalExposureHighlightThreshold` and `LocalExposureShadowThreshold` act",
 			&FEngineProfile::bLocalExposureThresholds),
+		MakeProfileRow("shaders: one that reads `View` without having it in its parameters ends the run (5.1 and 5.2 "
+					   "are uncertain)",
+			&FEngineProfile::bUnboundBufferEnds),
 	};
 }
 
@@ -105,6 +110,20 @@ std::string MakeVersionTable()
 			}
 			Table += "\n";
 		}
+	}
+	for (const FEngineApiRow& Row : GetEngineApi())
+	{
+		const std::string Kind = Row.Kind;
+		Table += "| name `" + std::string(Row.Name) + "`" +
+				 (std::string(Row.Certainty) == "Uncertain" ? " (uncertain)" : "") +
+				 (Kind == "deprecated" ? ": use `" + std::string(Row.Instead) + "`" : "") + " |";
+		for (const FEngineProfile& Profile : GetEngineProfiles())
+		{
+			const bool bBefore = Profile.Minor < Row.Minor;
+			const bool bThere = Kind == "from" ? !bBefore : Profile.Minor <= Row.Minor;
+			Table += Kind == "deprecated" ? (bBefore ? " yes |" : " deprecated |") : bThere ? " yes |" : " |";
+		}
+		Table += "\n";
 	}
 	return Table;
 }

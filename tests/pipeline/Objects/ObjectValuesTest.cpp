@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 using namespace Drydock;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -112,6 +113,30 @@ TEST_F(ObjectValues, TheConfigsObjectsComeAfterTheIniFiles)
 	ExpectPicture(RunConfig(MakeOptions("")), {0.5 * 2.0, 2.0 * 4.0, 0.0}, {0.5, 0.5, 0.375 + 1.0});
 }
 
+// Code 188 is 0.737255, and ((0.737255 + 0.055) / 1.055)^2.4 = 0.502886; an EXR's values are linear.
+TEST_F(ObjectValues, ATexturePropertyIsGivenAPicture)
+{
+	const Files::path Png = Scene.string() + ".mask.png", Exr = Scene.string() + ".mask.exr";
+	WritePng(Png.string(), FImage{1, 1, 3, {188 / 255.0, 1, 0}});
+	WriteExr(Exr.string(), FImage{1, 1, 1, {0.25}}, {"Y"});
+	const auto Give = [&](const Files::path& Picture)
+	{
+		return RunConfig(MakeOptions(R"(, "objects": {"UTunedSettings": {"Mode": "Off", "Label": "", "Mask": ")" +
+									 Picture.filename().string() + R"("}})"));
+	};
+	ExpectPicture(Give(Png), {0.502886, 1, 0}, {0.5, 0.5, 0.375});
+	ExpectPicture(Give(Exr), {0.25, 0.25, 0.25}, {0.5, 0.5, 0.375});
+	// Nothing of it stays.
+	ExpectPicture(RunConfig(MakeOptions(R"(, "objects": {"UTunedSettings": {"Mode": "Off", "Label": ""}})")), {1, 1, 1},
+		{0.5, 0.5, 0.375});
+	Files::remove(Png);
+	Files::remove(Exr);
+	EXPECT_THAT(GetErrors(R"(, "objects": {"UTunedSettings": {"Mask": "nowhere.png"}})"),
+		ElementsAre(AllOf(HasSubstr("/objects/UTunedSettings/Mask"), HasSubstr("nowhere.png"))));
+	EXPECT_THAT(GetErrors(R"(, "objects": {"UTunedSettings": {"Mask": "/Game/A.A"}})"),
+		ElementsAre(AllOf(HasSubstr("2122"), HasSubstr("the name of a picture file"))));
+}
+
 TEST_F(ObjectValues, ClassesMayBeNamedWithoutTheirPrefixAndByPath)
 {
 	ExpectPicture(RunConfig(MakeOptions(R"(, "objects": {"TunedSettings": {"Mode": "Off", "Label": ""}})")), {1, 1, 1},
@@ -163,8 +188,9 @@ TEST_F(ObjectValues, MistakesNameTheClassTheFieldAndTheNearestName)
 			HasSubstr("2122 /objects/UTunedSettings/Mode: UTunedSettings::Mode (ETunedMode): expected one of Off, "
 					  "Multiply, Add, found \"Multipl\"; did you mean Multiply?"),
 			HasSubstr("2122 /objects/UTunedSettings/Weights/Lift: expected [X, Y, Z]"),
-			HasSubstr("2123 /objects/UTunedSettings/Mask: UTunedSettings::Mask (TObjectPtr<UTexture2D>): objects and "
-					  "assets cannot be given"),
+			HasSubstr(
+				"2122 /objects/UTunedSettings/Mask: UTunedSettings::Mask (TObjectPtr<UTexture2D>): expected the name "
+				"of a picture file, found \"/Game/A.A\""),
 			HasSubstr("2121 /objects/UTunedSettings/OnlyInTheEditor")));
 	EXPECT_THAT(GetErrors(R"(, "camera": {"Settings": {"TunedGlw": 1}})"),
 		ElementsAre("1012 /camera/Settings/TunedGlw: unknown setting; did you mean TunedGlow?"));

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <unistd.h>
 
 using namespace Drydock;
@@ -86,11 +87,12 @@ TEST_F(PatchTemplate, TheProjectHasTheLayoutOfAPlugin)
 	{
 		Paths.push_back(File.Path);
 	}
-	const std::vector<std::string> Expected = {".gitignore", ".vscode/launch.json", ".vscode/settings.json",
-		"CMakeLists.txt", "README.md", "Rain.uplugin", "Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf",
-		"Source/Rain/Private/RainModule.cpp", "Source/Rain/Private/RainViewExtension.cpp",
-		"Source/Rain/Private/RainViewExtension.h", "Source/Rain/Rain.Build.cs", "configs/Rain.json",
-		"configs/scenes/room.exr", "configs/schema/drydock.schema.json", "tests/RainTest.cpp"};
+	const std::vector<std::string> Expected = {".github/workflows/drydock.yml", ".gitignore", ".vscode/launch.json",
+		".vscode/settings.json", ".vscode/tasks.json", "CMakeLists.txt", "README.md", "Rain.uplugin",
+		"Shaders/Private/DrydockPrint.ush", "Shaders/Private/Rain.usf", "Source/Rain/Private/RainModule.cpp",
+		"Source/Rain/Private/RainViewExtension.cpp", "Source/Rain/Private/RainViewExtension.h",
+		"Source/Rain/Rain.Build.cs", "configs/Rain.json", "configs/scenes/room.exr",
+		"configs/schema/drydock.schema.json", "tests/RainTest.cpp"};
 	EXPECT_EQ(Expected, Paths);
 }
 
@@ -155,6 +157,41 @@ TEST_F(PatchTemplate, TheEditorDebugsTheShadersOfTheConfig)
 		EXPECT_EQ(Arguments, Shaders["args"]);
 		EXPECT_EQ("set breakpoint pending on", Shaders["setupCommands"][0]["text"]);
 		EXPECT_EQ("FRainPS", Launch["inputs"][1]["default"]);
+		EXPECT_EQ("build", Shaders["preLaunchTask"]);
+		EXPECT_EQ("build", Launch["configurations"][1]["preLaunchTask"]);
+	}
+}
+
+// The lines are those that the pages show, which are compared with what is printed.
+TEST_F(PatchTemplate, TheEditorListsErrorsOfShadersAndConfigs)
+{
+	for (const FPatchFile& File : MakePatchFiles("MyPatch"))
+	{
+		if (File.Path != ".vscode/tasks.json")
+		{
+			continue;
+		}
+		const nlohmann::json Tasks = nlohmann::json::parse(File.Text, nullptr, true, true)["tasks"];
+		EXPECT_EQ("build", Tasks[0]["label"]);
+		EXPECT_EQ("build", Tasks[1]["dependsOn"]);
+		const auto FindLine = [&](const std::string& Page, size_t Matcher)
+		{
+			const std::regex Pattern(Tasks[1]["problemMatcher"][Matcher]["pattern"]["regexp"].get<std::string>());
+			std::ifstream Lines(DRYDOCK_TEST_SOURCE_DIR "/docs/" + Page);
+			std::vector<std::string> Groups;
+			for (std::string Line; std::getline(Lines, Line) && Groups.empty();)
+			{
+				std::smatch Match;
+				if (std::regex_match(Line, Match, Pattern))
+				{
+					Groups.assign(Match.begin() + 1, Match.begin() + 5);
+				}
+			}
+			return Groups;
+		};
+		EXPECT_EQ(
+			(std::vector<std::string>{"Private/MyPatch.usf", "21", "17", "error"}), FindLine("first-patch.md", 0));
+		EXPECT_EQ((std::vector<std::string>{"configs/a.json", "12", "7", "error"}), FindLine("errors.md", 1));
 	}
 }
 

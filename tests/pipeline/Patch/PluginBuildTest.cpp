@@ -9,6 +9,7 @@
 #include "Patch/PluginBuildErrors.h"
 #include "Text/OutputErrors.h"
 
+#include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
 #include <fstream>
@@ -135,7 +136,7 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_TRUE(Files::exists(Absent / "mine.h"));
 }
 
-// Its generated header comes with it.
+// Its generated header comes with it, and its variables are its own: both plugins see the same one.
 TEST_F(PluginBuild, AHeaderOfANeededPluginIsFoundWithItsClasses)
 {
 	Write("Plugins/Tint/Source/Tint/Public/TintSettings.h", R"(#pragma once
@@ -147,12 +148,14 @@ class TINT_API UTintSettings : public UObject
 public:
 	int32 Answer = 42;
 };
+extern TINT_API int32 GTintHost;
 )");
-	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "#include \"TintSettings.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp",
+		"#include \"TintSettings.h\"\nint32 GTintHost = 3;\nextern \"C\" int TintHost() { return GTintHost; }\n");
 	Write("Plugins/User/User.uplugin", R"({"Plugins": [{"Name": "Tint", "Enabled": true}]})");
 	Write("Plugins/User/Source/User/User.Build.cs", "");
 	Write("Plugins/User/Source/User/Private/User.cpp", R"(#include "TintSettings.h"
-extern "C" int UserAnswer() { return GetDefault<UTintSettings>()->Answer; }
+extern "C" int UserAnswer() { GTintHost += 4; return GetDefault<UTintSettings>()->Answer; }
 )");
 	FPluginBuild Build = Describe();
 	Build.Folder = (Root / "Plugins/User").string();
@@ -160,6 +163,7 @@ extern "C" int UserAnswer() { return GetDefault<UTintSettings>()->Answer; }
 	void* const Library = dlopen(Built.Library.c_str(), RTLD_NOW | RTLD_LOCAL);
 	ASSERT_NE(nullptr, Library) << dlerror();
 	EXPECT_EQ(42, reinterpret_cast<int (*)()>(dlsym(Library, "UserAnswer"))());
+	EXPECT_EQ(7, reinterpret_cast<int (*)()>(dlsym(Library, "TintHost"))());
 	dlclose(Library);
 }
 
@@ -189,9 +193,129 @@ TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
 	EXPECT_THAT(
 		Message, testing::HasSubstr("TRenderingCompositePassBase belongs to UE4's composition graph, which Unreal 5 "
 									"does not have: write a function that adds the pass with an FRDGBuilder"));
+	Write(Source, "#include \"RenderGraphUtils.h\"\nFRHITexture* F(FRDGTexture* Texture) { return Texture; }\n");
+	EXPECT_THAT(Refuse(Describe()).second,
+		testing::HasSubstr("a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE"));
 	Write(Source, "void F() { Nothing(); }\n");
 	EXPECT_THAT(Refuse(Describe()).second, testing::Not(testing::AnyOf(testing::HasSubstr("drydock does not have"),
 											   testing::HasSubstr("composition graph"))));
+}
+
+// Held to a version, a plugin is refused what that engine does not have.
+TEST_F(PluginBuild, NamesOfOtherVersionsAreRefusedWhereAVersionIsNamed)
+{
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", R"(#include "Misc/CoreDelegates.h"
+#include "PostProcess/PostProcessMaterialInputs.h"
+#include "SceneViewExtension.h"
+struct FTint : FSceneViewExtensionBase
+{
+	FTint(const FAutoRegister& Register) : FSceneViewExtensionBase(Register) {}
+	virtual ESceneViewExtensionFlags GetFlags() const override { return ESceneViewExtensionFlags::None; }
+};
+void Tint()
+{
+	FSceneViewExtensions::NewExtension<FTint>();
+	FCoreDelegates::OnPostEngineInit.Clear();
+}
+)");
+	FPluginBuild Build = Describe();
+	Build.EngineMinor = 4;
+	Build.EngineNames = 2;
+	EXPECT_THAT(Refuse(Build).second,
+		testing::HasSubstr("engine 5.4 does not have ISceneViewExtension::GetFlags, which is there from 5.7 on"));
+	Build.EngineMinor = 3;
+	EXPECT_THAT(Refuse(Build).second, testing::Not(testing::HasSubstr("CopyFromSlice"))); // of drydock's own header
+	Build.EngineNames = 0;
+	EXPECT_THAT(BuildPlugin(Build).Notes, testing::Each(testing::Not(testing::HasSubstr("engine 5."))));
+	Build.EngineMinor = 8;
+	Build.EngineNames = 2;
+	EXPECT_THAT(BuildPlugin(Build).Notes,
+		testing::Contains(testing::HasSubstr("Tint.cpp:12: engine 5.8 deprecates FCoreDelegates::OnPostEngineInit: use "
+											 "FCoreDelegates::GetOnPostEngineInit()")));
+}
+
+// Of two sources that do not compile, a module of the editor, and an engine's header that is not here.
+TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
+{
+	Write("Plugins/Tint/Source/TintTools/TintTools.Build.cs", "");
+	Write("Plugins/Tint/Source/Tint/Private/A.cpp",
+		"#include \"CompGeom/Delaunay2.h\"\n#include \"SceneView.h\"\n"
+		"int A(const FSceneView& View) { return View.NoSuchMember; }\nvoid C() { FDelaunay2 D; }\n");
+	Write("Plugins/Tint/Source/Tint/Private/B.cpp",
+		"#include \"SceneView.h\"\nint B(const FSceneView& View) { return View.NoSuchMember; }\n"
+		"FLinearColour F();\nvoid D() { FDelaunay2 D; }\n");
+	for (const char* const Compiler : {"g++", "clang++"})
+	{
+		if (std::system(("which " + std::string(Compiler) + " >/dev/null").c_str()) != 0)
+		{
+			continue;
+		}
+		SCOPED_TRACE(Compiler);
+		Files::remove_all(Root / "build");
+		FPluginBuild Build = Describe();
+		Build.Compiler = Compiler;
+		const auto [Number, Message] = Refuse(Build);
+		EXPECT_EQ(ErrorPluginNotCompiled, Number);
+		const auto Row =
+			[](const char* Name, const char* Kind, const char* Uses, const char* Place, const char* Instead)
+		{
+			return testing::ContainsRegex(std::string("\n  ") + Name + " +" + Kind + " +" + Uses +
+										  " +Source/Tint/Private/" + Place + Instead + "\n");
+		};
+		EXPECT_THAT(Message, testing::HasSubstr("does not compile: 3 names are missing here\n"));
+		EXPECT_THAT(Message, Row("FSceneView::NoSuchMember", "member", "2", "A.cpp:3", ""));
+		EXPECT_THAT(
+			Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4", " +drydock has nothing of CompGeom/Delaunay2.h"));
+		EXPECT_THAT(Message, Row("FLinearColour", "type", "1", "B.cpp:3", " +did you mean FLinearColor[?]"));
+		EXPECT_THAT(Message, testing::HasSubstr("\n  left out module TintTools: it is of type Editor\n"));
+	}
+}
+
+TEST_F(PluginBuild, ADeveloperModuleIsBuiltWhereItIsTheOnlyOne)
+{
+	Write("Plugins/Tint/Tint.uplugin",
+		R"({"Modules": [{"Name": "Tint", "Type": "Developer"}, {"Name": "TintTools", "Type": "Editor"}]})");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", "extern \"C\" int TintAnswer() { return TINT_ANSWER; }\n");
+	Write("Plugins/Tint/Source/TintTools/TintTools.Build.cs", "");
+	EXPECT_THAT(BuildPlugin(Describe()).Notes, testing::ElementsAre("left out module TintTools: it is of type Editor"));
+
+	Write("Plugins/Tint/Source/Game/Game.Build.cs", "");
+	Write("Plugins/Tint/Source/Game/Private/Game.cpp", "\n");
+	EXPECT_THAT(BuildPlugin(Describe()).Notes,
+		testing::Contains("left out module Game: neither the .uplugin nor another module names it"));
+
+	Write("Plugins/Tint/Source/Tint/Tint.Build.cs", R"(PublicDependencyModuleNames.AddRange(new string[] { "Core",
+		"Game" }); PrivateDefinitions.Add("TINT_ANSWER=42");)");
+	EXPECT_THAT(BuildPlugin(Describe()).Notes,
+		testing::Contains("left out module Tint: it is of type Developer, and the plugin has others"));
+
+	Write("Plugins/Tint/Tint.uplugin",
+		R"({"Modules": [{"Name": "Tint", "Type": "Editor"}, {"Name": "Game", "Type": "Program"}]})");
+	const auto [Number, Message] = Refuse(Describe());
+	EXPECT_EQ(ErrorNoPlugin, Number);
+	EXPECT_THAT(
+		Message, testing::HasSubstr("left out module Game: it is of type Program; left out module Tint: it is of "
+									"type Editor"));
+}
+
+TEST_F(PluginBuild, TheCaseOfFoldersDoesNotMatter)
+{
+	Write("Plugins/Tint/Source/Tint/Public/Deep/Colour.h", "#pragma once\ninline int GetColour() { return 7; }\n");
+	Write("Plugins/Tint/Source/Tint/Private/Tint.cpp", R"(#include "SubSystems/EngineSubsystem.h"
+#include "sceneviewextension.h"
+#include "deep/colour.h"
+#include "Deep\COLOUR.h"
+#include "../../../../../../../Source/Runtime/Renderer/Public/ScreenPass.h"
+#include <string.h>
+class UProbe : public UEngineSubsystem {};
+extern "C" int TintAnswer() { return GetColour() + int(strlen("x")) + int(sizeof(FSceneViewExtensionBase) > 0) - int(sizeof(FScreenPassTexture) == 0); }
+)");
+	const FBuiltPlugin Built = BuildPlugin(Describe());
+	EXPECT_THAT(Built.Notes, testing::Not(testing::Contains(testing::HasSubstr("there is no"))));
+	void* const Library = dlopen(Built.Library.c_str(), RTLD_NOW | RTLD_LOCAL);
+	ASSERT_NE(nullptr, Library) << dlerror();
+	EXPECT_EQ(9, reinterpret_cast<int (*)()>(dlsym(Library, "TintAnswer"))());
+	dlclose(Library);
 }
 
 TEST_F(PluginBuild, AProjectOfSomebodyElsesIsNotReplaced)

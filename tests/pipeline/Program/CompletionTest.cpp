@@ -86,7 +86,7 @@ TEST_F(Completion, VerbsAndThoseUnderAVerb)
 	const FProgramModel Model = MakeProgramModel();
 	EXPECT_EQ(CompleteSet({""}), std::set<std::string>(Model[0].Verbs.begin(), Model[0].Verbs.end()));
 	EXPECT_THAT(Complete({"ex"}), ElementsAre("explain"));
-	EXPECT_THAT(Complete({"settings", ""}), ElementsAre("export", "import", "plan"));
+	EXPECT_THAT(Complete({"settings", ""}), ElementsAre("cube", "export", "import", "plan"));
 	EXPECT_THAT(Complete({"settings", "plan", "--def"}), ElementsAre("--default"));
 }
 

@@ -41,6 +41,7 @@ const std::map<std::string, std::pair<std::string, int>> Mistakes = {
 	{"overlay diff", {"no_such_folder", 2}},
 	{"build", {"no_such_folder", 2}},
 	{"matrix", {"no_such_folder", 2}},
+	{"vet", {"no_such_folder", 2}},
 };
 
 bool TakesJson(const FVerbModel& Verb)

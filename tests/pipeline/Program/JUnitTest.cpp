@@ -8,6 +8,8 @@
 #include "Program/ProgramModel.h"
 #include "Text/JUnit.h"
 
+#include <nlohmann/json.hpp>
+
 #include <gmock/gmock.h>
 
 using namespace JUnitTest;
@@ -78,20 +80,25 @@ TEST(JUnitText, TheRulesAreNotEmpty)
 		std::runtime_error);
 }
 
-TEST_F(JUnit, FourVerbsHaveIt)
+TEST_F(JUnit, TheVerbsThatFindSomethingHaveAllThreeOptions)
 {
 	std::vector<std::string> Verbs;
 	for (const FVerbModel& Verb : MakeProgramModel())
 	{
 		for (const FOptionModel& Option : Verb.Options)
 		{
-			if (Option.GetName() == "--junit")
+			if (Option.GetName() == "--junit" || Option.GetName() == "--sarif" || Option.GetName() == "--fail-on")
 			{
 				Verbs.push_back(Verb.Name);
 			}
 		}
 	}
-	EXPECT_THAT(Verbs, testing::UnorderedElementsAre("check", "study", "diff", "matrix"));
+	std::vector<std::string> Expected;
+	for (const char* Verb : {"run", "check", "prove", "hazards", "lint", "study", "diff", "matrix", "vet"})
+	{
+		Expected.insert(Expected.end(), 3, Verb);
+	}
+	EXPECT_THAT(Verbs, testing::UnorderedElementsAreArray(Expected));
 }
 
 TEST_F(JUnit, CheckHasACaseForEachFamilyOfMessages)
@@ -193,4 +200,68 @@ TEST(JUnitMatrix, HasThreeCasesForEachVersion)
 	EXPECT_EQ("skipped", GetOutcome(*FindCase(Suite, "5.3 picture")));
 	EXPECT_EQ("", GetOutcome(*FindCase(Suite, "5.4 runs")));
 	EXPECT_EQ("01234567", FindCase(Suite, "5.4 picture")->Children.at(0).Text);
+}
+
+TEST_F(JUnit, ProveHazardsAndLintHaveCases)
+{
+	Folder.WriteFrame("a.json", "");
+	const FElement Proven = GetSuite("prove a.json --only OneThread", 0);
+	ASSERT_EQ(1u, Proven.Children.size());
+	EXPECT_EQ("OneThread", Proven.Children[0].Attributes.at("name"));
+	const FElement Hazards = GetSuite("hazards a.json --pass Tonemap", 0);
+	EXPECT_LT(10u, Hazards.Children.size());
+	Folder.Write("a.usf", R"(RWTexture2D<float4> Out;
+[numthreads(8, 8, 1)]
+void MainCS(uint3 Id : SV_DispatchThreadID) { Out[Id.xy] = Out[Id.xy] + 1; }
+)");
+	const FElement Lint = GetSuite("lint a.usf", 1);
+	EXPECT_EQ("1", Lint.Attributes.at("failures"));
+}
+
+TEST_F(JUnit, SarifNamesRuleLevelAndPlace)
+{
+	Folder.WriteFrame("bad.json", R"(,
+ "camra": {})");
+	EXPECT_EQ(2, Folder.Call("check bad.json --sarif out/a.sarif").ExitCode);
+	const auto Document = nlohmann::json::parse(Folder.Read("out/a.sarif"));
+	EXPECT_EQ("2.1.0", Document["version"]);
+	const auto& Run = Document["runs"][0];
+	EXPECT_EQ("drydock check", Run["tool"]["driver"]["name"]);
+	EXPECT_EQ("DD1005", Run["tool"]["driver"]["rules"][0]["id"]);
+	const auto& Result = Run["results"][0];
+	EXPECT_EQ("DD1005", Result["ruleId"]);
+	EXPECT_EQ("error", Result["level"]);
+	EXPECT_THAT(Result["message"]["text"].get<std::string>(), HasSubstr("did you mean camera?"));
+	const auto& Place = Result["locations"][0]["physicalLocation"];
+	EXPECT_EQ("bad.json", Place["artifactLocation"]["uri"]);
+	EXPECT_EQ(2, Place["region"]["startLine"]);
+	EXPECT_EQ(2, Place["region"]["startColumn"]);
+	EXPECT_EQ("/camra", Result["locations"][0]["logicalLocations"][0]["fullyQualifiedName"]);
+}
+
+TEST_F(JUnit, SarifHoldsFindingsThatAreNotMessages)
+{
+	Folder.WriteFrame("a.json", "");
+	Folder.WriteFrame("b.json", R"(, "camera": {"Settings": {"ColorGain": [2, 2, 2, 1]}})");
+	Folder.Call("run a.json");
+	Folder.Call("run b.json");
+	EXPECT_EQ(1, Folder.Call("diff out/a out/b --max 0.001 --sarif out/d.sarif").ExitCode);
+	const auto Document = nlohmann::json::parse(Folder.Read("out/d.sarif"));
+	EXPECT_EQ("difference", Document["runs"][0]["results"][0]["ruleId"]);
+	EXPECT_EQ(0, Folder.Call("diff out/a out/a --max 0 --sarif out/s.sarif").ExitCode);
+	EXPECT_TRUE(nlohmann::json::parse(Folder.Read("out/s.sarif"))["runs"][0]["results"].empty());
+}
+
+TEST_F(JUnit, AWarningFailsWhereItIsAskedTo)
+{
+	Folder.WriteFrame("w.json", R"(, "camera": {"Settings": {"BloomIntensity": -1}})");
+	for (const std::string Verb : {"check", "run"})
+	{
+		EXPECT_EQ(0, Folder.Call(Verb + " w.json").ExitCode) << Verb;
+		EXPECT_EQ(0, Folder.Call(Verb + " w.json --fail-on error").ExitCode) << Verb;
+		const FElement Suite = GetSuite(Verb + " w.json --fail-on warning", 1);
+		ASSERT_EQ("failure", GetOutcome(*FindCase(Suite, "no warnings")));
+		EXPECT_THAT(FindCase(Suite, "no warnings")->Children.at(0).Text, HasSubstr("BloomIntensity"));
+	}
+	EXPECT_EQ(2, Folder.Call("check w.json --fail-on warnings").ExitCode);
 }

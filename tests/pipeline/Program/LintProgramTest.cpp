@@ -118,7 +118,7 @@ TEST(LintProgram, EntriesThatFillAStructAreFoundAndBracketsThatLackAreNamed)
 	{
 		EXPECT_THAT(Folder.Call(std::string("lint ") + File).Printed, HasSubstr("1 shader looked at, 0 findings\n"));
 	}
-	EXPECT_THAT(Folder.Call("lint Bracket.usf").Printed, HasSubstr("Bracket.usf:1:19: error: X3000: syntax error"));
+	EXPECT_THAT(Folder.Call("lint Bracket.usf").Printed, HasSubstr("Bracket.usf:1:17: error: X3000: syntax error"));
 }
 
 TEST(LintProgram, VariablesChooseTheRules)

@@ -79,6 +79,13 @@ protected:
 
 	std::string Log() const { return ReadBytes(Temporary.Path / "log.txt"); }
 
+	/** One line at most, which begins so. */
+	bool IsEmptyOr(const std::string& Begin) const
+	{
+		const std::string Text = Log();
+		return Text.empty() || (Text.starts_with(Begin) && Text.find('\n') == Text.size() - 1);
+	}
+
 	bool Says(const std::string& Part) const { return Log().find(Part) != std::string::npos; }
 
 	/** Names of all that is in the folder and means that something is not finished. */
@@ -155,7 +162,7 @@ TEST_F(OutputProgram, SignalLeavesFinishedFramesAndNothingElse)
 		kill(Child, Signal);
 		kill(Child, Signal); // as `timeout` does, to process and group
 		EXPECT_EQ(128 + Signal, WaitFor(Child));
-		EXPECT_EQ("", Log());
+		EXPECT_TRUE(IsEmptyOr("note DD2066 at extension Shown")) << Log(); // its picture is of another size
 		EXPECT_EQ("", FindLeftovers(Temporary.Path));
 	}
 }

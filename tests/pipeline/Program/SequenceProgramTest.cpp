@@ -36,8 +36,8 @@ protected:
 			dup2(Log, STDERR_FILENO);
 			if (chdir(Temporary.Path.c_str()) == 0)
 			{
-				execl(Program.c_str(), Program.c_str(), "run", Config.c_str(), "--frames", Frames.c_str(), "--out",
-					Out.c_str(), nullptr);
+				execl(Program.c_str(), Program.c_str(), "run", Config.c_str(), "--report", "off", "--frames",
+					Frames.c_str(), "--out", Out.c_str(), nullptr);
 			}
 			_exit(127);
 		}

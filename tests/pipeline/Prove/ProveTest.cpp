@@ -89,6 +89,10 @@ TEST_F(BrokenPromises, MemoryIsKeptBeyondItsTime)
 TEST_F(BrokenPromises, ASumDependsOnTheOrderOfThreads)
 {
 	const FOutcome Outcome = Prove(4, "--only FourLanes --set r.Drydock.Threads=1");
+	if (Outcome.Printed.find("has no code for it") != std::string::npos)
+	{
+		GTEST_SKIP() << "DRYDOCK_INSTRUCTION_SETS=native";
+	}
 	EXPECT_EQ(1, Outcome.ExitCode) << Outcome.Printed;
 	EXPECT_THAT(Outcome.Printed, HasSubstr("first in pass BrokenSum, FBrokenSumCS, of libBrokenPromises.so: "
 										   "BrokenHelper pixel (0, 0) is "));

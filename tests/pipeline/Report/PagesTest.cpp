@@ -7,11 +7,11 @@
 #include "Picture/ImageMetrics.h"
 #include "Picture/PictureFile.h"
 #include "Report/MatrixPage.h"
+#include "Report/PortablePaths.h"
 #include "Report/ReportPng.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 using namespace Drydock;
@@ -36,16 +36,6 @@ void RunTwo(const FProgramFolder& Folder)
 }
 
 const std::string Walk = "run '" DRYDOCK_TEST_SOURCE_DIR "/configs/volumes_walk.json' --out out/walk ";
-
-/** As FProgramFolder::Call, where stdout is a terminal. */
-FOutcome CallAtTerminal(const FProgramFolder& Folder, const std::string& Arguments)
-{
-	Folder.Write("call.sh", "exec '" DRYDOCK_TEST_BINARY_DIR "/bin/drydock' " + Arguments + "\n");
-	const std::string Command =
-		"cd '" + Folder.Path.string() + "' && script -qec 'sh call.sh' /dev/null >printed.txt 2>&1 </dev/null";
-	const int Status = std::system(Command.c_str());
-	return {WEXITSTATUS(Status), Folder.Read("printed.txt")};
-}
 
 /** Bytes that no PNG makes smaller. */
 std::string MakeNoise(int Width, int Height)
@@ -117,26 +107,6 @@ TEST(DiffPage, APageThatSomebodyElsePutThereIsNotReplaced)
 	EXPECT_EQ("mine", Folder.Read("out/diff/diff.html"));
 }
 
-TEST(DiffPage, IsWrittenAtATerminalAndInNobodysWayThere)
-{
-	const FProgramFolder Folder("page_diff_terminal");
-	RunTwo(Folder);
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b --json").ExitCode);
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b --report off").ExitCode);
-	EXPECT_FALSE(Files::exists(Folder.Path / "out"));
-	EXPECT_EQ(0, CallAtTerminal(Folder, "diff a b").ExitCode);
-	EXPECT_EQ("diff", ReadData(Folder, "out/diff/diff.html")["kind"]);
-
-	Folder.Write("out/diff/diff.html", "mine");
-	Files::remove(Folder.Path / "out/diff/.drydock.diff.files");
-	const FOutcome Refused = CallAtTerminal(Folder, "diff a b");
-	EXPECT_EQ(0, Refused.ExitCode);
-	EXPECT_NE(std::string::npos, Refused.Printed.find("warning DD1080")) << Refused.Printed;
-	EXPECT_NE(std::string::npos, Refused.Printed.find("scene_linear")) << Refused.Printed;
-	EXPECT_EQ("mine", Folder.Read("out/diff/diff.html"));
-	EXPECT_EQ(2, CallAtTerminal(Folder, "diff a b --report").ExitCode);
-}
-
 TEST(SequencePage, HasEveryFrameItsFiguresAndTheWalk)
 {
 	const FProgramFolder Folder("page_sequence");
@@ -146,7 +116,7 @@ TEST(SequencePage, HasEveryFrameItsFiguresAndTheWalk)
 	EXPECT_NE(std::string::npos, Asked.Printed.find("page     out/walk/sequence.html\n")) << Asked.Printed;
 	const FJson Data = ReadData(Folder, "out/walk/sequence.html");
 	EXPECT_EQ(std::vector<std::string>(), CheckData(Data, "sequence.schema.json"));
-	EXPECT_EQ(FJson::parse(Folder.Read("out/walk/sequence.json")), Data["sequence"]);
+	EXPECT_EQ(FJson::parse(MakePathsPortable(Folder.Read("out/walk/sequence.json"))), Data["sequence"]);
 	ASSERT_EQ(3u, Data["figures"].size());
 	ASSERT_EQ(3u, Data["pictures"].size());
 	const FImageError Step = CompareImages(ReadPicture((Folder.Path / "out/walk/frames/0003/final.png").string()),

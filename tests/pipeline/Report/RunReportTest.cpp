@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "PageTestUtils.h"
+#include "Report/PortablePaths.h"
 
+#include <regex>
+
+using namespace Drydock;
 using namespace ProgramTest;
 using namespace ReportTest;
 
@@ -16,15 +20,16 @@ bool HasReport(const FProgramFolder& Folder)
 
 } // namespace
 
-TEST(RunReport, IsOffWhereNobodyLooksOnAndTheCommandLineBeatsTheConfig)
+TEST(RunReport, IsWrittenUnlessSomebodyTurnsItOffAndTheCommandLineBeatsTheConfig)
 {
 	const FProgramFolder Folder("report_when");
 	Folder.WriteFrame("frame.json", "");
-	EXPECT_EQ(0, Folder.Call("run frame.json").ExitCode);
+	EXPECT_EQ(0, Folder.Call("run frame.json --json").ExitCode);
 	EXPECT_FALSE(HasReport(Folder));
-	const FOutcome Asked = Folder.Call("run frame.json --report");
-	EXPECT_EQ(0, Asked.ExitCode);
-	EXPECT_NE(std::string::npos, Asked.Printed.find("page     out/frame/report.html\n")) << Asked.Printed;
+	const FOutcome Plain = Folder.Call("run frame.json");
+	EXPECT_EQ(0, Plain.ExitCode);
+	EXPECT_NE(std::string::npos, Plain.Printed.find("page     out/frame/report.html\n")) << Plain.Printed;
+	EXPECT_TRUE(std::regex_search(Plain.Printed, std::regex("time .*, save [0-9]+, page [0-9]+\n"))) << Plain.Printed;
 	EXPECT_TRUE(HasReport(Folder));
 	Folder.WriteFrame("frame.json", R"(, "outputs": {"report": "full"})");
 	EXPECT_EQ(0, Folder.Call("run frame.json --report off").ExitCode);
@@ -85,6 +90,43 @@ TEST(RunReport, HasTheStoryOfSettingsAndWhatLeavingOutSaves)
 	EXPECT_GE(Report["explain"]["withoutSkipping"]["passes"], Report["explain"]["cost"]["passes"]);
 }
 
+// LensFlareIntensity is 0 here for want of lens flares: nobody gave it.
+TEST(RunReport, NamesNoSettingThatNobodyGave)
+{
+	const FProgramFolder Folder("report_touched");
+	Folder.WriteFrame("frame.json", "");
+	EXPECT_EQ(0, Folder.Call("run frame.json --pp BloomIntensity=2").ExitCode);
+	const FJson Report = ReadData(Folder);
+	ASSERT_EQ(1u, Report["settings"].size()) << Report["settings"];
+	EXPECT_EQ("BloomIntensity", Report["settings"][0]["name"]);
+}
+
+TEST(RunReport, OfAPluginHasItsPassesItsVariablesAndTheLedger)
+{
+	const FProgramFolder Folder("report_plugin");
+	Folder.WriteFrame("frame.json", R"(, "plugins": [")" DRYDOCK_TEST_BINARY_DIR R"(/lib/libTestPlugin.so"])");
+	EXPECT_EQ(0, Folder.Call("run frame.json --pp BloomIntensity=2 --set r.BloomQuality=3 --set r.TestPlugin.Enabled=1")
+					 .ExitCode);
+	const FJson Report = ReadData(Folder);
+	ASSERT_FALSE(Report["explain"]["plugins"].empty());
+	EXPECT_EQ("plugin libTestPlugin.so", Report["explain"]["plugins"][0]["name"]);
+	EXPECT_EQ("r.BloomQuality", Report["run"]["variables"][0]["name"]);
+	EXPECT_EQ(2.0, Report["blend"]["ledger"]["BloomIntensity"].back()["after"]);
+}
+
+TEST(PortablePaths, AreShortenedAndVirtualOnesAndPicturesStay)
+{
+	const std::string Here = Files::current_path().string();
+	EXPECT_EQ(R"({"a": "configs/x.json", "b": ".../frame.exr:3: no"})",
+		MakePathsPortable(R"({"a": ")" + Here + R"(/configs/x.json", "b": "/usr/lib/frame.exr:3: no"})"));
+	for (const char* const Kept : {"/Engine/Private/Bloom.usf", "a/usr/lib", "iVBOR+/usr/bin/x", "https://tmp/usr/x",
+			 "../usr/lib/x", "/volumes/0", "/usr"})
+	{
+		EXPECT_EQ(Kept, MakePathsPortable(Kept));
+	}
+	EXPECT_EQ("configs/x.json", MakePathsPortable(DRYDOCK_TEST_SOURCE_DIR "/configs/x.json"));
+}
+
 TEST(RunReport, OfToonBloomIsUnderFiveMegabytesBesideTheRunBefore)
 {
 	const FProgramFolder Folder("report_size");
@@ -103,7 +145,7 @@ TEST(StudyReport, IsAPageOfItsOwnOfTheFormThatItsSchemaStates)
 	Folder.WriteFrame(
 		"frame.json", R"(, "study": {"axes": [{"name": "r.BloomQuality", "values": [1, 5]}], "repetitions": 1},
 										"volumes": [{"bUnbound": true, "Settings": {"BloomIntensity": 1}}])");
-	EXPECT_EQ(0, Folder.Call("study frame.json").ExitCode);
+	EXPECT_EQ(0, Folder.Call("study frame.json --report off").ExitCode);
 	EXPECT_FALSE(Files::exists(Folder.Path / "out/frame/study.html"));
 	EXPECT_EQ(0, Folder.Call("run frame.json --report").ExitCode);
 	EXPECT_EQ(0, Folder.Call("study frame.json --report").ExitCode);

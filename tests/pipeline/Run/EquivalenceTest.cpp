@@ -83,6 +83,13 @@ bool IsBlurredByMotion(const std::string& ConfigFile)
 	return Config == "frame_full" || Config == "motion_blur";
 }
 
+/** Configs with a pass that compares what is stored with a number, or stores one, as its article prints it: not the
+ * same picture under another pre-exposure. The engine's rule for the pre-filter of the FFT bloom is not known. */
+const std::map<std::string, std::string> NotPreExposed = {{"bloom_fft", "FFTBloom.PreFilter"},
+	{"frame_full", "ToonShadowLighting"}, {"hooks_all", "passes of hooks that store numbers"},
+	{"red_diffusion", "RED.DiffusionFilter"}, {"study_storage", "ToonShadowLighting"},
+	{"toon_shadow_blur", "ToonShadowLighting"}, {"unity_bloom", "UnityBloom.Extract"}};
+
 class Equivalence : public testing::TestWithParam<std::tuple<std::string, FEquivalence>>
 {
 };
@@ -137,7 +144,9 @@ TEST_P(Equivalence, GivesTheSamePicture)
 	}
 	ASSERT_EQ(Expected.Final.Width, Actual.Final.Width);
 	ASSERT_EQ(Expected.Final.Height, Actual.Final.Height);
-	EXPECT_FALSE(ComparePixels(Expected.Final, Actual.Final, Promise.Alike));
+	const bool bDiffers = std::string_view(Promise.Name) == "PreExposure" &&
+						  NotPreExposed.contains(std::filesystem::path(ConfigFile).stem().string());
+	EXPECT_EQ(bDiffers, ComparePixels(Expected.Final, Actual.Final, Promise.Alike).has_value());
 }
 
 INSTANTIATE_TEST_SUITE_P(ShippedConfigs, Equivalence, testing::ValuesIn(MakeCases()), GetTestName);

@@ -79,7 +79,7 @@ TEST_F(StudyPlaces, AFieldOfAPluginsClassIsAnAxis)
 	EXPECT_EQ(0.0, Result.Variants[2].Error.Max);
 	EXPECT_FALSE(Result.Variants[0].bCurrent);
 	EXPECT_TRUE(Result.Variants[1].bCurrent);
-	EXPECT_EQ(1.0, Result.Variants[0].Taps); // of the plugin's pass: one sample a pixel
+	EXPECT_EQ(2.0, Result.Variants[0].Taps); // of the plugin's pass: the scene and the mask, each read once a pixel
 }
 
 // A tint takes the red of the right half, which is 15/16 at most before the plugin.

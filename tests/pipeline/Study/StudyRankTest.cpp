@@ -304,7 +304,7 @@ TEST(StudyReport, CsvHasALinePerVariantAndQuotesCommas)
 	const std::string Csv = MakeStudyCsv(Result, false);
 	EXPECT_EQ(3, Count(Csv, "\n"));
 	EXPECT_NE(std::string::npos, Csv.find("\"a, b\""));
-	EXPECT_EQ(0u, Csv.find("way,max,rms,relative,psnr,ssim,taps_per_pixel"));
+	EXPECT_EQ(0u, Csv.find("way,max,rms,relative,psnr,ssim,flip,taps_per_pixel"));
 }
 
 TEST(StudyChart, FewErrorsAThousandTimesSmallerStandAtTheEdgeWithTheirFigure)

@@ -139,7 +139,8 @@ TEST(StudyConfig, MistakesAreNamedWithTheNearestName)
 		"1007 /study/axes/0/name: \"r.BloomQualty\" is not a setting, a console variable, precision, storage or a "
 		"place such as /objects/UMySettings/Intensity; did you mean r.BloomQuality?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQualty", "values": [1]}]})"));
-	EXPECT_EQ("1007 /study/metrics/0: there is no metric \"rsm\": max, rms, relative, psnr, ssim; did you mean rms?",
+	EXPECT_EQ(
+		"1007 /study/metrics/0: there is no metric \"rsm\": max, rms, relative, psnr, ssim, flip; did you mean rms?",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQuality", "values": [1]}], "metrics": ["rsm"]})"));
 	EXPECT_EQ("1006 /study/axes/0/values: \"values\" must be an array of at least one value",
 		ErrorOf(R"("study": {"axes": [{"name": "r.BloomQuality", "values": 3}]})"));

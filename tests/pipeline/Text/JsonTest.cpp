@@ -185,7 +185,52 @@ TEST(Json, EmptyTextIsASyntaxError)
 
 TEST(Json, TrailingCommaIsASyntaxError)
 {
-	EXPECT_EQ("1:10 1001 ", OnlyMessage("{\"a\": 1, }"));
+	EXPECT_EQ("1:8 1001 ", OnlyMessage("{\"a\": 1, }"));
+}
+
+/** Texts that are not JSON, the place by hand, and the words that lead to the mend. */
+struct FSyntaxMistake
+{
+	const char* Text;
+	const char* Place;
+	const char* Words;
+};
+
+TEST(Json, SyntaxErrorsSayWhatIsToBeChanged)
+{
+	const FSyntaxMistake Mistakes[] = {
+		{"{\n \"a\": 1,\n}", "2:8", "delete the comma"},
+		{"{\"a\": [1, 2,]}", "1:12", "delete the comma"},
+		{"{\"a\": 1, // one\n}", "1:8", "delete the comma"},
+		{"{\n \"a\": 1\n \"b\": 2\n}", "3:2", "a comma is missing"},
+		{"{\"a\": [1 2]}", "1:10", "a comma is missing"},
+		{"{ # why\n}", "1:3", "write // or /* */"},
+		{"{ 'a': 1 }", "1:3", "double quotes"},
+		{"{\"a\": 'b'}", "1:7", "double quotes"},
+		{"{ \xE2\x80\x9C"
+		 "a\xE2\x80\x9D: 1 }",
+			"1:3", "straight double quotes"},
+		{"{ a: 1 }", "1:3", "double quotes: \"a\""},
+		{"{\"a\": True}", "1:7", "write true"},
+		{"{\"a\": high}", "1:7", "double quotes: \"high\""},
+		{"{\"a\": .5}", "1:7", "not a number of JSON, such as -0.5"},
+		{"{\"a\" 1}", "1:6", "a colon is missing"},
+		{"{\"a\" = 1}", "1:6", "a colon is missing"},
+		{"{\"a\": \"b,\n \"c\": 1}", "1:7", "no closing quotation mark"},
+		{"{\"a\": \"C:\\Users\"}", "1:7", "a backslash stands twice"},
+		{"{\n\"a\": [1, 2}", "2:11", "} closes the [ of line 2"},
+		{"{\n\"a\": {\"b\": 1}\n", "2:14", "the { of line 1 is not closed"},
+		{"{} 1", "1:4", "behind its last bracket"},
+		{"", "1:1", "the file is empty"},
+	};
+	for (const FSyntaxMistake& Mistake : Mistakes)
+	{
+		EXPECT_TRUE(OnlyMessage(Mistake.Text).starts_with(std::string(Mistake.Place) + " 1001"))
+			<< Mistake.Text << "\n"
+			<< OnlyMessage(Mistake.Text);
+		const std::string Said = Parse(Mistake.Text).Diagnostics[0].Message;
+		EXPECT_NE(std::string::npos, Said.find(Mistake.Words)) << Mistake.Text << "\n" << Said;
+	}
 }
 
 TEST(Json, TextAfterTheValueIsASyntaxError)

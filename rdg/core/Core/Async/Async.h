@@ -1,5 +1,5 @@
-// AsyncTask: one thread plays all parts here, so a task runs where it is started, at once, and is over when the call
-// returns. Source: engine Async/Async.h, Async/TaskGraphInterfaces.h.
+// AsyncTask: one thread plays all parts here, so a task runs where it is started, at once, and is over when
+// the call returns. Source: engine Async/Async.h, Async/TaskGraphInterfaces.h.
 #pragma once
 
 #include "CoreTypes.h"

@@ -145,6 +145,33 @@ public:
 	void Reset() { Hash.Reset(); }
 	void Reserve(int32 Count) { Hash.Reserve(Count); }
 
+	/** Goes through the pairs; after RemoveCurrent ++ comes to the next one. */
+	class TIterator
+	{
+	public:
+		explicit TIterator(TMap& InMap)
+			: Map(InMap)
+		{
+		}
+
+		explicit operator bool() const { return Index < Map.Num(); }
+		TIterator& operator++()
+		{
+			++Index;
+			return *this;
+		}
+		ElementType& operator*() const { return Map.begin()[Index]; }
+		ElementType* operator->() const { return Map.begin() + Index; }
+		const KeyType& Key() const { return Map.begin()[Index].Key; }
+		ValueType& Value() const { return Map.begin()[Index].Value; }
+		void RemoveCurrent() { Map.Hash.RemoveAt(Index--); }
+
+	private:
+		TMap& Map;
+		int32 Index = 0;
+	};
+	TIterator CreateIterator() { return TIterator(*this); }
+
 	template<typename Allocator>
 	void GenerateKeyArray(TArray<KeyType, Allocator>& OutKeys) const
 	{

@@ -1,4 +1,5 @@
-// FCriticalSection: a lock that its holder may take again. Source: engine HAL/CriticalSection.h.
+// FCriticalSection: a lock that its holder may take again. Source:
+// engine HAL/CriticalSection.h.
 #pragma once
 
 #include <mutex>

@@ -56,6 +56,7 @@ using FConsoleVariableDelegate = TDelegate<void(IConsoleVariable*)>;
 using FConsoleVariableMulticastDelegate = TMulticastDelegate<void(IConsoleVariable*)>;
 using FConsoleCommandDelegate = TDelegate<void()>;
 using FConsoleCommandWithArgsDelegate = TDelegate<void(const TArray<FString>&)>;
+using FConsoleCommandWithWorldDelegate = TDelegate<void(UWorld*)>;
 using FConsoleCommandWithWorldAndArgsDelegate = TDelegate<void(const TArray<FString>&, UWorld*)>;
 
 namespace Drydock
@@ -366,6 +367,19 @@ public:
 	FAutoConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command,
 		EConsoleVariableFlags Flags = ECVF_Default)
 		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help, Command, Flags))
+	{
+	}
+};
+
+class FAutoConsoleCommandWithWorld : public FAutoConsoleObject
+{
+public:
+	FAutoConsoleCommandWithWorld(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithWorldDelegate& Command,
+		EConsoleVariableFlags Flags = ECVF_Default)
+		: FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleCommand(Name, Help,
+			  FConsoleCommandWithWorldAndArgsDelegate::CreateLambda(
+				  [Command](const TArray<FString>&, UWorld* World) { Command.ExecuteIfBound(World); }),
+			  Flags))
 	{
 	}
 };

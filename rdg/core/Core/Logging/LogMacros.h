@@ -66,8 +66,11 @@ DRYDOCK_API FLogHandler SetLogHandler(FLogHandler Handler);
 #define DECLARE_LOG_CATEGORY_CLASS(Category, DefaultVerbosity, CompileTimeVerbosity) \
 	static inline FLogCategoryBase Category{#Category, ELogVerbosity::DefaultVerbosity};
 
+// A block, as in the engine: published code leaves the semicolon out.
 #define UE_LOG(Category, Verbosity, Format, ...) \
-	::Drydock::LogMessage(Category, ELogVerbosity::Verbosity, Format __VA_OPT__(, ) __VA_ARGS__)
+	{ \
+		::Drydock::LogMessage(Category, ELogVerbosity::Verbosity, Format __VA_OPT__(, ) __VA_ARGS__); \
+	}
 #define UE_CLOG(Condition, Category, Verbosity, Format, ...) \
 	do \
 	{ \

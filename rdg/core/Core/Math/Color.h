@@ -76,6 +76,13 @@ struct FLinearColor
 	/** Hue 0..360, saturation and value 0..1 in R, G, B. */
 	DRYDOCK_API FLinearColor LinearRGBToHSV() const;
 	DRYDOCK_API FLinearColor HSVToLinearRGB() const;
+	/** Towards the grey of this luminance: 0 keeps the colour. */
+	constexpr FLinearColor Desaturate(float Amount) const
+	{
+		const float Grey = GetLuminance();
+		return {FMath::Lerp(R, Grey, Amount), FMath::Lerp(G, Grey, Amount), FMath::Lerp(B, Grey, Amount), A};
+	}
+	static FLinearColor FromSRGBColor(const FColor& Color) { return FLinearColor(Color); }
 	DRYDOCK_API FString ToString() const;
 	/** Reads "(R=..,G=..,B=..,A=..)"; false leaves the colour alone. A may be missing: 1. */
 	DRYDOCK_API bool InitFromString(const FString& Text);
@@ -145,6 +152,7 @@ struct FColor
 	{
 		return static_cast<uint32>(A) << 24 | static_cast<uint32>(R) << 16 | static_cast<uint32>(G) << 8 | B;
 	}
+	constexpr uint32 DWColor() const { return ToPackedARGB(); }
 	/** 0..255 to 0..1 without decoding. */
 	constexpr FLinearColor ReinterpretAsLinear() const { return {R / 255.0f, G / 255.0f, B / 255.0f, A / 255.0f}; }
 	DRYDOCK_API FString ToString() const;

@@ -60,6 +60,8 @@ struct TRotator
 	}
 	TVector<T> RotateVector(const TVector<T>& V) const { return GetForward() * V.X + GetRight() * V.Y + GetUp() * V.Z; }
 	TQuat<T> Quaternion() const;
+	bool IsZero() const { return Pitch == 0 && Yaw == 0 && Roll == 0; }
+	bool IsNearlyZero(T Tolerance = UE_KINDA_SMALL_NUMBER) const { return Equals(ZeroRotator, Tolerance); }
 	FString ToString() const
 	{
 		return FString::Printf(
@@ -82,5 +84,11 @@ private:
 
 template<typename T>
 inline const TRotator<T> TRotator<T>::ZeroRotator(0, 0, 0);
+
+template<typename T>
+TRotator<T> TVector<T>::Rotation() const
+{
+	return TRotator<T>(FMath::RadiansToDegrees(std::atan2(Z, Size2D())), FMath::RadiansToDegrees(std::atan2(Y, X)), 0);
+}
 
 } // namespace UE::Math

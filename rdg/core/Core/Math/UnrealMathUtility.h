@@ -364,6 +364,19 @@ struct FMath
 	/** A direction of length 1, all equally likely. */
 	static DRYDOCK_API FVector VRand();
 	/** The value moved by at most DeltaTime * Speed of its distance. */
+	/** The place of Value in a range as a place in another; Unclamped goes on beyond the ends. */
+	template<typename T>
+	static T GetMappedRangeValueUnclamped(const UE::Math::TVector2<T>& InputRange,
+		const UE::Math::TVector2<T>& OutputRange, std::type_identity_t<T> Value)
+	{
+		return Lerp(OutputRange.X, OutputRange.Y, GetRangePct(InputRange.X, InputRange.Y, Value));
+	}
+	template<typename T>
+	static T GetMappedRangeValueClamped(const UE::Math::TVector2<T>& InputRange,
+		const UE::Math::TVector2<T>& OutputRange, std::type_identity_t<T> Value)
+	{
+		return Lerp(OutputRange.X, OutputRange.Y, Saturate(GetRangePct(InputRange.X, InputRange.Y, Value)));
+	}
 	static double FInterpTo(double Current, double Target, double DeltaTime, double Speed)
 	{
 		return Speed <= 0.0 ? Target : Current + (Target - Current) * Clamp(DeltaTime * Speed, 0.0, 1.0);

@@ -101,6 +101,10 @@ struct TVector
 	T Size() const { return std::sqrt(SizeSquared()); }
 	constexpr T SquaredLength() const { return SizeSquared(); }
 	T Length() const { return Size(); }
+	T SizeSquared2D() const { return X * X + Y * Y; }
+	T Size2D() const { return std::sqrt(SizeSquared2D()); }
+	/** Pitch and yaw that turn +x towards this vector; roll 0. */
+	TRotator<T> Rotation() const;
 	constexpr T GetMax() const { return FMath::Max3(X, Y, Z); }
 	constexpr T GetMin() const { return FMath::Min3(X, Y, Z); }
 	constexpr T GetAbsMax() const { return GetAbs().GetMax(); }

@@ -1,11 +1,17 @@
-// The application's time and name.
+// The application's time and name, and the frame's number.
 #include "Misc/App.h"
 
+#include "CoreGlobals.h"
 #include "Misc/Paths.h"
 
 #include <filesystem>
 #include <set>
 #include <string>
+
+uint32 GFrameNumber = 0;
+uint32 GFrameNumberRenderThread = 0;
+uint64 GFrameCounter = 0;
+uint64 GFrameCounterRenderThread = 0;
 
 double FApp::CurrentTime = 0.0;
 double FApp::LastTime = 0.0;

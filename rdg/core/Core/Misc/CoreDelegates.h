@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Delegates/Delegate.h"
+#include "Misc/EngineApi.h"
 
 DECLARE_MULTICAST_DELEGATE(FSimpleMulticastDelegate)
 DECLARE_DELEGATE(FSimpleDelegate)
@@ -10,11 +11,12 @@ class DRYDOCK_API FCoreDelegates
 {
 public:
 	/** Broadcast by FModuleManager::StartupPendingModules, once for each subscriber. */
-	static FSimpleMulticastDelegate OnPostEngineInit;
+	DRYDOCK_API_OnPostEngineInit static FSimpleMulticastDelegate OnPostEngineInit;
 	/** The spelling of newer engines. */
-	static FSimpleMulticastDelegate& GetOnPostEngineInit() { return OnPostEngineInit; }
+	DRYDOCK_API_GetOnPostEngineInit static FSimpleMulticastDelegate& GetOnPostEngineInit() { return OnPostEngineInit; }
 	static FSimpleMulticastDelegate OnEnginePreExit;
 	static FSimpleMulticastDelegate& GetOnEnginePreExit() { return OnEnginePreExit; }
+	/** Before a frame's world ticks, and once the frame is drawn. */
 	static FSimpleMulticastDelegate OnBeginFrame;
 	static FSimpleMulticastDelegate OnEndFrame;
 };

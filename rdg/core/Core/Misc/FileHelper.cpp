@@ -59,3 +59,15 @@ bool FFileHelper::SaveStringToFile(
 	File << Text.ToStdString();
 	return static_cast<bool>(File.flush());
 }
+
+bool FFileHelper::LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename)
+{
+	FString Text;
+	if (!LoadFileToString(Text, Filename))
+	{
+		return false;
+	}
+	Result.Reset();
+	Result.Append(reinterpret_cast<const uint8*>(*Text), Text.Len());
+	return true;
+}

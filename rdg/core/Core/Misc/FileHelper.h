@@ -1,4 +1,4 @@
-// Whole files as text. Source: engine Misc/FileHelper.h.
+// Whole files as text or bytes. Source: engine Misc/FileHelper.h.
 #pragma once
 
 #include "HAL/FileManager.h"
@@ -20,6 +20,7 @@ public:
 
 	/** False where it cannot be read. */
 	static bool LoadFileToString(FString& Result, const TCHAR* Filename);
+	static bool LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename);
 	/** WriteFlags: FILEWRITE_Append adds to what is there. False where it cannot be written. */
 	static bool SaveStringToFile(const FString& Text, const TCHAR* Filename,
 		EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect,

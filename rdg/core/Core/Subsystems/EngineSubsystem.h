@@ -7,7 +7,7 @@
 class DRYDOCK_API UEngineSubsystem : public USubsystem
 {
 public:
-	using Super = UEngineSubsystem;
+	DRYDOCK_CLASS(UEngineSubsystem, USubsystem)
 	using USubsystem::USubsystem;
 
 	static constexpr Drydock::ESubsystemKind SubsystemKind = Drydock::ESubsystemKind::Engine;

@@ -7,7 +7,7 @@
 class DRYDOCK_API UGameInstanceSubsystem : public USubsystem
 {
 public:
-	using Super = UGameInstanceSubsystem;
+	DRYDOCK_CLASS(UGameInstanceSubsystem, USubsystem)
 	using USubsystem::USubsystem;
 
 	static constexpr Drydock::ESubsystemKind SubsystemKind = Drydock::ESubsystemKind::GameInstance;

@@ -7,7 +7,7 @@
 class DRYDOCK_API ULocalPlayerSubsystem : public USubsystem
 {
 public:
-	using Super = ULocalPlayerSubsystem;
+	DRYDOCK_CLASS(ULocalPlayerSubsystem, USubsystem)
 	using USubsystem::USubsystem;
 
 	static constexpr Drydock::ESubsystemKind SubsystemKind = Drydock::ESubsystemKind::LocalPlayer;

@@ -51,7 +51,7 @@ private:
 class DRYDOCK_API USubsystem : public UObject
 {
 public:
-	using Super = USubsystem;
+	DRYDOCK_CLASS(USubsystem, UObject)
 	using UObject::UObject;
 
 	/** Outer: the engine (null here) or the world. */

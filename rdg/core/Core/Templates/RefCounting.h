@@ -113,6 +113,10 @@ public:
 
 	friend bool operator==(const TRefCountPtr& A, const TRefCountPtr& B) { return A.Reference == B.Reference; }
 	friend bool operator==(const TRefCountPtr& A, const ReferencedType* B) { return A.Reference == B; }
+	friend bool operator==(const TRefCountPtr& A, ReferencedType* B) requires(!std::is_const_v<ReferencedType>)
+	{
+		return A.Reference == B;
+	}
 	friend bool operator==(const TRefCountPtr& A, std::nullptr_t) { return A.Reference == nullptr; }
 
 private:

@@ -9,7 +9,10 @@ struct ConstructorHelpers
 	template<typename T>
 	struct FObjectFinder
 	{
-		explicit FObjectFinder(const TCHAR*) {}
+		explicit FObjectFinder(const TCHAR* Path)
+			: Object(LoadObject<T>(nullptr, Path))
+		{
+		}
 
 		bool Succeeded() const { return Object != nullptr; }
 

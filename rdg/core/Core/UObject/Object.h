@@ -1,6 +1,6 @@
 // UObject, as much as code outside the engine needs to compile and to be watched: objects are plain C++ objects that
 // the caller owns. Source: engine UObject/Object.h, UObject/UObjectGlobals.h, Templates/Casts.h,
-// UObject/WeakObjectPtr.h, UObject/ObjectPtr.h, UObject/StrongObjectPtr.h.
+// UObject/WeakObjectPtr.h, UObject/ObjectPtr.h, UObject/StrongObjectPtr.h, UObject/Class.h, Templates/SubclassOf.h.
 #pragma once
 
 #include "Misc/AssertionMacros.h"
@@ -11,6 +11,7 @@
 #include <typeinfo>
 #include <vector>
 
+class UClass;
 class UObject;
 class UWorld;
 
@@ -21,7 +22,22 @@ namespace Drydock
  * PostInitProperties. Type: the class. */
 DRYDOCK_API void FinishNewObject(UObject& Object, const std::type_info& Type);
 
+/** Ours: the one UClass of a type; what it does is set anew, as plugins come and go. */
+DRYDOCK_API UClass* FindOrAddClass(
+	const std::type_info& Type, const TCHAR* Name, UClass* Super, UObject* (*Make)(), UObject* (*Default)());
+/** Below, as UClass is. */
+template<typename T>
+UClass* FindClass(const TCHAR* Name, UClass* Super);
+
 } // namespace Drydock
+
+/** Ours: what the header tool writes into a class of the engine. */
+#define DRYDOCK_CLASS(Class, Base) \
+	using Super = Class; \
+	static UClass* StaticClass() \
+	{ \
+		return ::Drydock::FindClass<Class>(TEXT(#Class), Base::StaticClass()); \
+	}
 
 /** A property and how it was changed, in the engine's editor. */
 class FProperty
@@ -56,6 +72,15 @@ public:
 	// The header tool writes Super into every class. Inherited, it names the direct base of a class derived from this
 	// one; generated headers (drydock_add_plugin) write it as the header tool does.
 	using Super = UObject;
+	static UClass* StaticClass();
+	/** The object's own class, once its StaticClass was called or a generated header named it; else UObject's. */
+	UClass* GetClass() const;
+	bool IsA(const UClass* Class) const;
+	template<typename T>
+	bool IsA() const
+	{
+		return dynamic_cast<const T*>(this) != nullptr;
+	}
 
 	UObject() = default;
 	explicit UObject(const FObjectInitializer&) {}
@@ -67,6 +92,8 @@ public:
 	virtual void BeginDestroy() {}
 	/** Never called: nothing is edited. */
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
+	/** Two objects that live at one time have two numbers. */
+	uint32 GetUniqueID() const { return UniqueID; }
 	/** Null for an object that was made without one. */
 	UObject* GetOuter() const { return Outer; }
 	/** Ours: called by NewObject. */
@@ -85,12 +112,20 @@ public:
 	}
 	FString GetName() const { return Name.ToString(); }
 	FName GetFName() const { return Name; }
+	/** It is its class's default object. */
+	bool IsTemplate() const { return bTemplate; }
+	/** Ours: called by GetDefault. */
+	void SetTemplate() { bTemplate = true; }
 	/** Ours: the engine names objects when it makes them. */
 	void SetFName(FName InName) { Name = InName; }
 
 private:
+	static uint32 MakeUniqueID();
+
 	FName Name;
+	uint32 UniqueID = MakeUniqueID();
 	UObject* Outer = nullptr;
+	bool bTemplate = false;
 	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
 
@@ -98,6 +133,12 @@ template<typename T>
 T* FObjectInitializer::CreateDefaultSubobject(UObject* Owner, FName Name) const
 {
 	return Owner->CreateDefaultSubobject<T>(Name);
+}
+
+/** "None" for null. */
+inline FString GetNameSafe(const UObject* Object)
+{
+	return Object ? Object->GetName() : FString(TEXT("None"));
 }
 
 inline bool IsValid(const UObjectBase* Object)
@@ -136,6 +177,8 @@ namespace Drydock
 
 /** Says, once for each path, that no asset is loaded. */
 DRYDOCK_API void WarnOfMissingAsset(const TCHAR* Path);
+/** Says once for each name what a call of it does here, where that is not what the engine does. */
+DRYDOCK_API void SayNeutral(const TCHAR* Name, const TCHAR* What);
 
 } // namespace Drydock
 
@@ -184,7 +227,7 @@ private:
 class DRYDOCK_API UInterface : public UObject
 {
 public:
-	using Super = UInterface;
+	DRYDOCK_CLASS(UInterface, UObject)
 	using UObject::UObject;
 };
 
@@ -193,6 +236,7 @@ template<typename T>
 T* GetMutableDefault()
 {
 	static T Default;
+	[[maybe_unused]] static const bool bMarked = (Default.SetTemplate(), true);
 	return &Default;
 }
 template<typename T>
@@ -301,3 +345,90 @@ public:
 private:
 	FSoftObjectPath Path;
 };
+
+/** A class of objects at run time, with its name, base and default object. Source: engine UObject/Class.h. */
+class DRYDOCK_API UClass : public UObject
+{
+public:
+	UClass(FName InName, UClass* InSuper);
+
+	UClass* GetSuperClass() const { return SuperClass; }
+	bool IsChildOf(const UClass* Other) const;
+	template<typename T>
+	bool IsChildOf() const
+	{
+		return IsChildOf(T::StaticClass());
+	}
+	/** Null for a class that cannot be made without arguments. */
+	UObject* GetDefaultObject(bool = true) const { return Default != nullptr ? Default() : nullptr; }
+	template<typename T>
+	T* GetDefaultObject() const
+	{
+		return Cast<T>(GetDefaultObject());
+	}
+
+	/** Ours: how an object of the class is made, and its default object found. */
+	UObject* (*Make)() = nullptr;
+	UObject* (*Default)() = nullptr;
+
+private:
+	UClass* SuperClass;
+};
+
+namespace Drydock
+{
+
+template<typename T>
+UClass* FindClass(const TCHAR* Name, UClass* Super)
+{
+	UObject* (*Make)() = nullptr;
+	UObject* (*Default)() = nullptr;
+	if constexpr (std::is_default_constructible_v<T>)
+	{
+		Make = []() -> UObject*
+		{
+			return new T();
+		};
+		Default = []() -> UObject*
+		{
+			return GetMutableDefault<T>();
+		};
+	}
+	return FindOrAddClass(typeid(T), Name, Super, Make, Default);
+}
+
+} // namespace Drydock
+
+/** A class that is a T's. */
+template<typename T>
+class TSubclassOf
+{
+public:
+	TSubclassOf(UClass* InClass = nullptr)
+		: Class(InClass)
+	{
+	}
+
+	UClass* Get() const { return Class != nullptr && Class->IsChildOf(T::StaticClass()) ? Class : nullptr; }
+	UClass* operator*() const { return Get(); }
+	UClass* operator->() const { return Get(); }
+	operator UClass*() const { return Get(); }
+	T* GetDefaultObject() const { return Get() != nullptr ? Get()->template GetDefaultObject<T>() : nullptr; }
+
+private:
+	UClass* Class;
+};
+
+/** A new object of a class, which the caller owns; null if the class is null, cannot be made or is not a T's. */
+template<typename T>
+T* NewObject(UObject* Outer, const UClass* Class, FName Name = NAME_None)
+{
+	T* const Object = Class != nullptr && Class->Make != nullptr ? Cast<T>(Class->Make()) : nullptr;
+	if (Object != nullptr)
+	{
+		Object->SetFName(Name);
+		Object->SetOuter(Outer);
+		Drydock::FinishNewObject(*Object, typeid(*Object));
+	}
+	return Object;
+}

@@ -194,8 +194,13 @@ bool Check(
 	case EPropertyKind::Struct:
 		return CheckStruct(Type, Value, Path, OutProblem);
 	case EPropertyKind::Object:
+		if (Type.SetObject != nullptr)
+		{
+			bTaken = Value.Kind == EKind::Object;
+			break;
+		}
 		OutProblem = {FPropertyProblem::EKind::NotGiven, Path,
-			"objects and assets cannot be given: none is loaded here; set it in the plugin's code"};
+			"of objects and assets only textures can be given, as picture files; set it in the plugin's code"};
 		return false;
 	case EPropertyKind::Other:
 		OutProblem = {FPropertyProblem::EKind::NotGiven, Path, "values of this type cannot be given"};
@@ -254,6 +259,8 @@ void Write(const FPropertyType& Type, void* Address, const FPropertyValue& Value
 		}
 		break;
 	case EPropertyKind::Object:
+		(*Type.SetObject)(Address, Value.Object);
+		break;
 	case EPropertyKind::Other:
 		break;
 	}
@@ -296,6 +303,7 @@ std::string DescribeExpected(const FPropertyType& Type)
 	case EPropertyKind::Struct:
 		return "the struct's fields by name";
 	case EPropertyKind::Object:
+		return Type.SetObject != nullptr ? "the name of a picture file" : "nothing";
 	case EPropertyKind::Other:
 		break;
 	}
@@ -351,6 +359,7 @@ FPropertyValue ReadProperty(const FPropertyType& Type, const void* Address)
 		}
 		return Value;
 	case EPropertyKind::Object:
+		return Type.GetObject != nullptr ? FPropertyValue::MakeObject((*Type.GetObject)(Address)) : Value;
 	case EPropertyKind::Other:
 		break;
 	}

@@ -19,7 +19,8 @@ FPropertyValue FPropertyValue::MakeNumber(double Value)
 
 const char* FPropertyValue::Describe() const
 {
-	constexpr const char* Names[] = {"nothing", "true", "a number", "a number", "a text", "a list", "named values"};
+	constexpr const char* Names[] = {
+		"nothing", "true", "a number", "a number", "a text", "a list", "named values", "an object"};
 	return Kind == EKind::Bool && !bBool ? "false" : Names[size_t(Kind)];
 }
 

@@ -21,6 +21,7 @@ struct FPropertyValue
 		Text,
 		List,   // Items
 		Fields, // Items, each with a name
+		Object,
 	};
 
 	EKind Kind = EKind::None;
@@ -29,6 +30,7 @@ struct FPropertyValue
 	double Real = 0.0; // of Whole too
 	std::string Text = {};
 	std::vector<std::pair<std::string, FPropertyValue>> Items = {};
+	void* Object = nullptr; // of the class that the property points to
 
 	static FPropertyValue MakeBool(bool bValue) { return {.Kind = EKind::Bool, .bBool = bValue}; }
 	static FPropertyValue MakeWhole(int64 Value)
@@ -39,6 +41,7 @@ struct FPropertyValue
 	DRYDOCK_API static FPropertyValue MakeNumber(double Value);
 	static FPropertyValue MakeText(std::string Value) { return {.Kind = EKind::Text, .Text = std::move(Value)}; }
 	static FPropertyValue MakeList() { return {.Kind = EKind::List}; }
+	static FPropertyValue MakeObject(void* Value) { return {.Kind = EKind::Object, .Object = Value}; }
 	static FPropertyValue MakeFields() { return {.Kind = EKind::Fields}; }
 
 	bool IsNumber() const { return Kind == EKind::Whole || Kind == EKind::Real; }

@@ -2,6 +2,7 @@
 #include "UObject/Reflection.h"
 
 #include "CodeScope.h"
+#include "RangeTools.h"
 #include "RunningCode.h"
 #include "Subsystems/Subsystem.h"
 
@@ -243,6 +244,41 @@ bool FReflection::Give(
 	}
 	GetReflectionState().Given.push_back({&Class, Plugin, Name, Value, Before});
 	return true;
+}
+
+bool FReflection::Call(const FReflectedStruct& Class, const std::string& Name,
+	const std::vector<FPropertyValue>& Arguments, UObject* Object, FPropertyProblem& OutProblem) const
+{
+	std::vector<std::string> Names;
+	void* Container = Object != nullptr ? (*Class.FromObject)(Object) : nullptr;
+	for (const FReflectedStruct* Each = &Class; Each != nullptr;
+		 Each = Each->Super != nullptr ? FindStruct(*Each->Super) : nullptr)
+	{
+		if (const FReflectedFunction* const Function = FindItem(Each->Functions, Name, &FReflectedFunction::Name))
+		{
+			if (Arguments.size() == Function->NumParameters)
+			{
+				return CallCode(MakeOwner(FindPluginOf(Class), Class, Function->Name),
+					[&] { return (*Function->Call)(Container, Arguments, OutProblem); });
+			}
+			OutProblem = {FPropertyProblem::EKind::WrongValue, "",
+				std::string(Class.Name) + "::" + Name + " has " + std::to_string(Function->NumParameters) +
+					" parameters, and " + std::to_string(Arguments.size()) + " arguments are given"};
+			return false;
+		}
+		std::ranges::transform(
+			Each->Functions, std::back_inserter(Names), [](const FReflectedFunction& Other) { return Other.Name; });
+		Container = Container != nullptr && Each->ToSuper != nullptr ? (*Each->ToSuper)(Container) : nullptr;
+	}
+	OutProblem = {FPropertyProblem::EKind::UnknownProperty, "",
+		std::string(Class.Name) + " has no UFUNCTION(BlueprintCallable) " + Name + SuggestName(Name, Names)};
+	return false;
+}
+
+UObject* FReflection::FindObject(const FReflectedStruct& Class) const
+{
+	const std::vector<UObject*> Objects = FindLiveObjects(Class, FindPluginOf(Class));
+	return Objects.empty() ? nullptr : Objects.back();
 }
 
 void FReflection::FinishDefaults(const std::string& Plugin)

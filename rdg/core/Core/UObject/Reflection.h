@@ -12,9 +12,13 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <typeinfo>
 #include <vector>
+
+class UTexture;
+class UTexture2D;
 
 namespace Drydock
 {
@@ -58,6 +62,10 @@ struct FPropertyType
 	std::string (*GetText)(const void* Address) = nullptr;
 	void (*SetText)(void* Address, const std::string& Text) = nullptr;
 
+	// Object, where it points to a UTexture or a UTexture2D: a config gives it a picture
+	void* (*GetObject)(const void* Address) = nullptr;
+	void (*SetObject)(void* Address, void* Texture) = nullptr;
+
 	// Enum, Struct: whose names are registered under it
 	const std::type_info* Type = nullptr;
 
@@ -76,6 +84,30 @@ struct FReflectedProperty
 	bool bConfig = false;            // UPROPERTY(config)
 	const FPropertyType* Type = nullptr;
 	void* (*GetAddress)(void* Container) = nullptr;
+};
+
+/** Why a value was not taken. */
+struct FPropertyProblem
+{
+	enum class EKind : uint8
+	{
+		UnknownProperty,
+		WrongValue,
+		NotGiven, // of a type that a config cannot give
+	};
+	EKind Kind = EKind::WrongValue;
+	std::string Path;    // from the value on: "/Colors/2/R"; empty: the value itself
+	std::string Message; // one sentence
+};
+
+/** A UFUNCTION(BlueprintCallable). */
+struct FReflectedFunction
+{
+	const TCHAR* Name = nullptr;
+	size_t NumParameters = 0;
+	/** Arguments: as many as parameters. Container null: only checks them. False, with the reason, where it cannot be
+	 * called so. */
+	bool (*Call)(void* Container, const std::vector<FPropertyValue>& Arguments, FPropertyProblem& OutProblem) = nullptr;
 };
 
 struct FReflectedEnum
@@ -97,6 +129,7 @@ struct FReflectedStruct
 	UObject* (*GetDefault)() = nullptr; // null: a struct, or a class that cannot be made
 	void* (*FromObject)(UObject* Object) = nullptr;
 	std::vector<FReflectedProperty> Properties = {};
+	std::vector<FReflectedFunction> Functions = {};
 	void (*Place)() = nullptr; // an actor: puts one into the world, as a level has it
 };
 
@@ -107,20 +140,6 @@ struct FFoundProperty
 	std::vector<void* (*)(void*)> Steps;
 
 	DRYDOCK_API void* GetAddress(void* Container) const;
-};
-
-/** Why a value was not taken. */
-struct FPropertyProblem
-{
-	enum class EKind : uint8
-	{
-		UnknownProperty,
-		WrongValue,
-		NotGiven, // of a type that a config cannot give
-	};
-	EKind Kind = EKind::WrongValue;
-	std::string Path;    // from the value on: "/Colors/2/R"; empty: the value itself
-	std::string Message; // one sentence
 };
 
 /** All that is registered. Plugins come and go on one thread. */
@@ -150,6 +169,12 @@ public:
 	 * The values given before are kept. False, with the reason, where it cannot have it. */
 	bool Give(const FReflectedStruct& Class, const std::string& Name, const FPropertyValue& Value,
 		FPropertyProblem& OutProblem);
+	/** Calls a function of a class, or of one it is derived from, of Object; null: only checks. False, with the reason
+	 * and the place among the arguments, where it cannot be called so. */
+	bool Call(const FReflectedStruct& Class, const std::string& Name, const std::vector<FPropertyValue>& Arguments,
+		UObject* Object, FPropertyProblem& OutProblem) const;
+	/** The class's subsystem that has started, else its default object; null: there is none. */
+	UObject* FindObject(const FReflectedStruct& Class) const;
 	/** Calls PostInitProperties of the default objects of a plugin that were given something. */
 	void FinishDefaults(const std::string& Plugin);
 	/** Puts back all that was given, of all plugins. */
@@ -256,26 +281,57 @@ struct TArrayElementOf<TArray<T, Allocator>>
 	using Type = T;
 };
 
+/** The class that a pointer points to; void for all other types. */
 template<typename T>
-struct TIsObjectPointer : std::is_pointer<T>
+struct TPointee
 {
+	using Type = void;
 };
 template<typename T>
-struct TIsObjectPointer<TObjectPtr<T>> : std::true_type
+struct TPointee<T*>
 {
+	using Type = T;
 };
 template<typename T>
-struct TIsObjectPointer<TWeakObjectPtr<T>> : std::true_type
+struct TPointee<TObjectPtr<T>>
 {
+	using Type = T;
 };
 template<typename T>
-struct TIsObjectPointer<TSoftObjectPtr<T>> : std::true_type
+struct TPointee<TSoftObjectPtr<T>>
 {
+	using Type = T;
+};
+template<typename T>
+struct TPointee<TWeakObjectPtr<T>>
+{
+	using Type = UObject;
 };
 template<>
-struct TIsObjectPointer<FSoftObjectPath> : std::true_type
+struct TPointee<FSoftObjectPath>
 {
+	using Type = UObject;
 };
+
+template<typename T>
+FPropertyType MakeObjectType()
+{
+	using FPointee = typename TPointee<T>::Type;
+	FPropertyType Type;
+	Type.Kind = EPropertyKind::Object;
+	if constexpr (std::is_same_v<FPointee, UTexture> || std::is_same_v<FPointee, UTexture2D>)
+	{
+		Type.GetObject = [](const void* Address) -> void*
+		{
+			return static_cast<FPointee*>(*static_cast<const T*>(Address));
+		};
+		Type.SetObject = [](void* Address, void* Texture)
+		{
+			*static_cast<T*>(Address) = T(static_cast<FPointee*>(Texture));
+		};
+	}
+	return Type;
+}
 
 template<typename T>
 void SetWholeRange(FPropertyType& Type)
@@ -412,9 +468,9 @@ FPropertyType MakePropertyType()
 	{
 		Type = MakeArrayType<T>();
 	}
-	else if constexpr (TIsObjectPointer<T>::value)
+	else if constexpr (!std::is_void_v<typename TPointee<T>::Type>)
 	{
-		Type.Kind = EPropertyKind::Object;
+		Type = MakeObjectType<T>();
 	}
 	else if constexpr (std::is_class_v<T>)
 	{
@@ -448,6 +504,7 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 	}
 	if constexpr (std::is_base_of_v<UObject, T>)
 	{
+		T::StaticClass(); // which makes it: GetClass finds it before anybody asks
 		Struct.FromObject = [](UObject* Object) -> void*
 		{
 			return static_cast<T*>(Object);
@@ -468,6 +525,81 @@ FReflectedStruct MakeReflectedStruct(const TCHAR* Name, const TCHAR* Module, con
 		}
 	}
 	return Struct;
+}
+
+/** The call of a member or static function; Member: whether it is one. */
+template<bool bMember, typename TClass, typename... TParameters>
+struct TFunctionCall
+{
+	template<auto Function>
+	static bool Call(void* Container, const std::vector<FPropertyValue>& Arguments, FPropertyProblem& OutProblem)
+	{
+		return Call<Function>(Container, Arguments, OutProblem, std::index_sequence_for<TParameters...>());
+	}
+
+private:
+	template<typename T>
+	static bool Write(T& Value, const FPropertyValue& Given, size_t Index, FPropertyProblem& OutProblem)
+	{
+		const FPropertyType& Type = GetPropertyType<T>();
+		const bool bNull = Given.Kind == FPropertyValue::EKind::None && Type.Kind == EPropertyKind::Object;
+		const bool bWritten = bNull || WriteProperty(Type, &Value, Given, OutProblem);
+		OutProblem.Path.insert(0, bWritten ? "" : "/" + std::to_string(Index));
+		return bWritten;
+	}
+
+	template<auto Function, size_t... Indices>
+	static bool Call(void* Container, [[maybe_unused]] const std::vector<FPropertyValue>& Arguments,
+		[[maybe_unused]] FPropertyProblem& OutProblem, std::index_sequence<Indices...>)
+	{
+		[[maybe_unused]] std::tuple<std::decay_t<TParameters>...> Values{};
+		if (!(Write(std::get<Indices>(Values), Arguments[Indices], Indices, OutProblem) && ...))
+		{
+			return false;
+		}
+		if (Container != nullptr)
+		{
+			if constexpr (bMember)
+			{
+				(static_cast<TClass*>(Container)->*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+			}
+			else
+			{
+				(*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+			}
+		}
+		return true;
+	}
+};
+
+template<typename TResult, typename TClass, typename... TParameters>
+TFunctionCall<true, TClass, TParameters...> GetFunctionCall(TResult (TClass::*)(TParameters...));
+template<typename TResult, typename TClass, typename... TParameters>
+TFunctionCall<true, TClass, TParameters...> GetFunctionCall(TResult (TClass::*)(TParameters...) const);
+template<typename TResult, typename... TParameters>
+TFunctionCall<false, void, TParameters...> GetFunctionCall(TResult (*)(TParameters...));
+
+template<bool bMember, typename TClass, typename... TParameters>
+consteval bool CanMakeArguments(const TFunctionCall<bMember, TClass, TParameters...>*)
+{
+	return (std::is_default_constructible_v<std::decay_t<TParameters>> && ...);
+}
+template<bool bMember, typename TClass, typename... TParameters>
+consteval size_t CountParameters(const TFunctionCall<bMember, TClass, TParameters...>*)
+{
+	return sizeof...(TParameters);
+}
+
+/** Function: a pointer to it. One whose arguments nobody can make is left out. */
+template<auto Function>
+void AddReflectedFunction(FReflectedStruct& Struct, const TCHAR* Name)
+{
+	using FCall = decltype(GetFunctionCall(Function));
+	constexpr const FCall* None = nullptr;
+	if constexpr (CanMakeArguments(None))
+	{
+		Struct.Functions.push_back({Name, CountParameters(None), &FCall::template Call<Function>});
+	}
 }
 
 /** Known for as long as the library is loaded. */
@@ -521,6 +653,16 @@ private:
 		{ \
 			return Container; \
 		}});
+
+// One that has overloads is left out.
+#define DRYDOCK_REFLECT_CALL(Function) \
+	[&]<typename T>(const T*) \
+	{ \
+		if constexpr (requires { ::Drydock::GetFunctionCall(&T::Function); }) \
+		{ \
+			::Drydock::AddReflectedFunction<&T::Function>(Struct, TEXT(#Function)); \
+		} \
+	}(static_cast<const FType*>(nullptr));
 
 #define DRYDOCK_REFLECT_END(Class) \
 	return Struct; \

@@ -158,9 +158,11 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 		if (Index < 0)
 		{
 			Refuse(Variable, "pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
-								 ", which no pass fills; use SV_POSITION or TEXCOORDn");
+								 ", which no pass fills; use SV_POSITION, TEXCOORDn or COLORn");
 		}
 		Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + 1);
+		const bool bInteger = Module.GetScalarKind(Variable.Type, 0) != ESpirvType::Float;
+		Result.Reflection.IntegerInterpolants |= uint32_t(bInteger) << Index;
 		return;
 	}
 	case BuiltInFragCoord:
@@ -185,6 +187,11 @@ void FReflector::AddInput(const FSpirvVariable& Variable)
 void FReflector::AddOutput(const FSpirvVariable& Variable)
 {
 	const FSpirvType& Type = Module.GetType(Variable.Type);
+	if (Variable.BuiltIn == BuiltInFragDepth)
+	{
+		Result.Reflection.bWritesDepth = true;
+		return;
+	}
 	const bool bTarget = Variable.Semantic.empty() || GetSemanticIndex(Variable.Semantic, "SV_TARGET") >= 0;
 	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
 	const bool bInteger = Kind == ESpirvType::Int || Kind == ESpirvType::Uint;
@@ -226,17 +233,22 @@ void FReflector::AddVertexOutput(const FSpirvVariable& Variable)
 	const bool bArray = Type.Kind == ESpirvType::Array;
 	const FSpirvType& Element = bArray ? Module.GetType(Type.Element) : Type;
 	const int32_t Index = Variable.BuiltIn == BuiltInNone ? GetTexCoordIndex(Variable.Semantic) : -1;
-	const int32_t Count = bArray ? int32_t(std::min<uint32_t>(Type.Count, 1u + GMaxTexCoords)) : 1;
-	const bool bFits = Index >= 0 && Index + Count <= GMaxTexCoords && Element.NumScalars <= 4 &&
-					   Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float;
+	const int32_t Count = bArray ? int32_t(std::min<uint32_t>(Type.Count, 1u + GMaxInterpolants)) : 1;
+	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
+	const bool bInteger = Kind == ESpirvType::Int || Kind == ESpirvType::Uint;
+	const int32_t End = Index < GMaxTexCoords ? GMaxTexCoords : GMaxInterpolants;
+	const bool bFits =
+		Index >= 0 && Index + Count <= End && Element.NumScalars <= 4 && (bInteger || Kind == ESpirvType::Float);
 	if (!bFits)
 	{
 		Refuse(Variable,
 			"vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " + GetHlslTypeName(Module, Type) +
-				") is not supported on the CPU tier; outputs are SV_POSITION and float, float2, float3 or float4 "
-				"to TEXCOORD0..15");
+				") is not supported on the CPU tier; outputs are SV_POSITION, TEXCOORD0..15 and COLOR0..3, of up to "
+				"four floats or integers");
 	}
-	Result.TexCoordsWritten |= ((1u << Count) - 1) << Index;
+	const uint32_t Bits = ((1u << Count) - 1) << Index;
+	Result.TexCoordsWritten |= Bits;
+	Result.Reflection.IntegerInterpolants |= bInteger ? Bits : 0;
 	Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + Count);
 }
 
@@ -422,6 +434,8 @@ FSpirvReflection FReflector::Run()
 		{
 			Reflection.bUsesDiscard =
 				Reflection.bUsesDiscard || I.Op == OpKill || I.Op == OpDemote || I.Op == OpFunctionCall;
+			Reflection.bLoadsStored =
+				Reflection.bLoadsStored || I.Op == OpImageRead || I.Op == OpImageTexelPointer || I.Op == OpFunctionCall;
 		}
 	}
 	const FSpirvGroupUse Groups = FindGroupUse(Module);
@@ -462,7 +476,9 @@ int32_t GetSemanticIndex(const std::string& Semantic, const std::string& Prefix)
 
 int32_t GetTexCoordIndex(const std::string& Semantic)
 {
-	return GetSemanticIndex(Semantic, "TEXCOORD");
+	const int32_t Color = GetSemanticIndex(Semantic, "COLOR");
+	return Color >= 0 && Color < GMaxInterpolants - GMaxTexCoords ? GMaxTexCoords + Color
+																  : GetSemanticIndex(Semantic, "TEXCOORD");
 }
 
 FSpirvReflection ReflectSpirv(const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source)

@@ -52,16 +52,26 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInput(const FSpirvVariable& Variable
 		return {{"true", ESpirvType::Bool, false, -1}};
 	default:
 	{
-		std::vector<FEmitScalar> Result;
-		const std::string Interpolant =
-			"Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
-		for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
-		{
-			Result.push_back({"Interpolate<Real>(" + Interpolant + ", " + Number(i) + ", X, Y)", Float, true, -1});
-		}
-		return Result;
+		return LoadInterpolant(Variable, "Interpolate<Real>(", ", X, Y)");
 	}
 	}
+}
+
+std::vector<FEmitScalar> FSpirvEmitter::LoadInterpolant(
+	const FSpirvVariable& Variable, const std::string& Before, const std::string& Behind) const
+{
+	std::vector<FEmitScalar> Result;
+	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
+	const std::string Interpolant = "Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
+	for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
+	{
+		// Integers are the same everywhere.
+		const std::string Base = Interpolant + ".Base[" + Number(i) + "]";
+		Result.push_back(Kind == Float  ? FEmitScalar{Before + Interpolant + ", " + Number(i) + Behind, Float, true, -1}
+						 : Kind == Uint ? FEmitScalar{"uint32_t(" + Base + ")", Uint, false, -1}
+										: FEmitScalar{"int32_t(" + Base + ")", Kind, false, -1});
+	}
+	return Result;
 }
 
 void FSpirvEmitter::EmitOutputs()
@@ -84,7 +94,8 @@ void FSpirvEmitter::EmitOutputs()
 			const bool bWritten = i < Module.GetType(Variable.Type).NumScalars;
 			const FEmitScalar Part =
 				bWritten ? FEmitScalar{"l" + Number(Variable.Id) + "_" + Number(i), Kind, true, -1} : Literal(Kind, 0);
-			Value += ", " + UseAs(Part, bInteger ? Uint : Float, true);
+			const std::string Text = UseAs(Part, bInteger ? Uint : Float, true);
+			Value += ", " + (Variable.BuiltIn == BuiltInFragDepth ? "Saturate(" + Text + ")" : Text);
 		}
 		const std::string Target = Number(Variable.Location);
 		if (Module.bQuads)

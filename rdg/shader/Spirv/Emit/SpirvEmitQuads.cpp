@@ -35,14 +35,7 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadQuadInput(const FSpirvVariable& Vari
 	default:
 		break;
 	}
-	std::vector<FEmitScalar> Result;
-	const std::string Interpolant = "Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
-	for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
-	{
-		Result.push_back(
-			{"InterpolateQuads<Real>(" + Interpolant + ", " + std::to_string(i) + ", X, Y0)", Float, true, -1});
-	}
-	return Result;
+	return LoadInterpolant(Variable, "InterpolateQuads<Real>(", ", X, Y0)");
 }
 
 /** A call of a function that tells the level of a texture at the coordinates in operand 1. */

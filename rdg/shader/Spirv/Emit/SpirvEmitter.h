@@ -145,6 +145,8 @@ private:
 	std::string EmitQuadRun();
 	bool EmitQuads(const FSpirvInstruction& I);
 	std::vector<FEmitScalar> LoadQuadInput(const FSpirvVariable& Variable);
+	std::vector<FEmitScalar> LoadInterpolant(
+		const FSpirvVariable& Variable, const std::string& Before, const std::string& Behind) const;
 	std::string QuadLevelOf(const FSpirvInstruction& I, const std::string& Function);
 	bool ChoosesLevel(const FSpirvInstruction& I) const { return Module.bQuads && ChoosesSpirvLevel(I.Op); }
 	/** Mask of the lanes that run and are not helpers. */

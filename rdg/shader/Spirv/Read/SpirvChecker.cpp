@@ -126,9 +126,12 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 		bFits = Size == 1;
 		break;
 	case BuiltInNone:
-		bFits = Size <= 4 && (Module.ExecutionModel == ExecutionModelVertex ||
-								 Module.GetScalarKind(Variable.Type, 0) == ESpirvType::Float);
-		break;
+	{
+		const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
+		bFits = Size <= 4 && (Module.ExecutionModel == ExecutionModelVertex || Kind == ESpirvType::Float ||
+								 Kind == ESpirvType::Int || Kind == ESpirvType::Uint);
+	}
+	break;
 	default: // reflection refuses what is used of these
 		break;
 	}
@@ -137,8 +140,7 @@ void FSpirvChecker::CheckInput(const FSpirvVariable& Variable)
 		const bool bWhole = Variable.BuiltIn == BuiltInNone && Size <= 4;
 		Module.Fail("input '" + Variable.Name + "' (" + Variable.Semantic +
 					") is of a type that the CPU tier does not fill (" + GetHlslTypeName(Module, Type) +
-					"); use float, float2, float3 or float4" +
-					(bWhole ? ", which keeps whole numbers up to 16777216" : ""));
+					"); use up to four floats" + (bWhole ? ", int or uint" : ""));
 	}
 }
 

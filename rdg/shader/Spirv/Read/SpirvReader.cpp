@@ -2,6 +2,7 @@
 // Source: Khronos, SPIR-V specification 1.0.
 #include "SpirvReaderImpl.h"
 
+#include "ShaderKernel.h"
 #include "SpirvAliases.h"
 #include "SpirvCheck.h"
 #include "SpirvCounters.h"
@@ -457,7 +458,8 @@ void FSpirvReader::DecorateVariables()
 		Variable.Name = GetViewedBuffer(Names[Variable.Id]);
 		Variable.Semantic = GetElementSemantic(Found.Semantic, Variable.Name);
 		Variable.BuiltIn = Found.Get(DecorationBuiltIn, BuiltInNone);
-		Variable.Location = Found.Get(DecorationLocation);
+		Variable.Location =
+			Variable.BuiltIn == BuiltInFragDepth ? uint32_t(GDepthTarget) : Found.Get(DecorationLocation);
 		Variable.Counter = Found.Get(DecorationCounterBuffer);
 	}
 }

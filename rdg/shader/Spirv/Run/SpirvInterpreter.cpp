@@ -85,11 +85,13 @@ FInterpretedPixel FSpirvInterpreter::Run(const FKernelArgs& Args, int32_t X, int
 	for (size_t k = 0; k < Module.Variables.size(); ++k)
 	{
 		const FSpirvVariable& Variable = Module.Variables[k];
-		if (Variable.Storage == StorageOutput && Variable.Location < 8)
+		if (Variable.Storage == StorageOutput && Variable.Location <= uint32_t(GDepthTarget))
 		{
 			for (uint32_t i = 0; i < 4 && i < Impl->Program.Memory[k].Size; ++i)
 			{
-				Pixel.Targets[Variable.Location][i] = Impl->GetReal(Thread, k, i);
+				const float Value = Impl->GetReal(Thread, k, i);
+				const bool bDepth = Variable.BuiltIn == BuiltInFragDepth;
+				Pixel.Targets[Variable.Location][i] = bDepth ? (Value > 0 ? std::min(Value, 1.0f) : 0) : Value;
 			}
 		}
 	}
@@ -124,15 +126,27 @@ FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVerte
 			continue;
 		}
 		const FSpirvType& Type = Module.GetType(Variable.Type);
+		const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
 		const size_t NumWords = Impl->Program.Memory[k].Size;
 		const size_t Size = Type.Kind == ESpirvType::Array ? Module.GetType(Type.Element).NumScalars : NumWords;
 		for (size_t i = 0; i < NumWords; ++i)
 		{
 			const size_t Index = size_t(std::max(0, TexCoord)) + i / Size;
-			if (bPosition ? i < 4 : Index < size_t(GMaxTexCoords) && i % Size < 4)
+			if (bPosition ? i < 4 : Index < size_t(GMaxInterpolants) && i % Size < 4)
 			{
-				(bPosition ? Output.Position[i] : Output.TexCoords[Index][i % Size]) =
-					Impl->GetReal(Impl->Thread, k, i);
+				const auto Word = uint32_t(Impl->Thread.GetMemory(k)[i]);
+				const float Real = Impl->GetReal(Impl->Thread, k, i);
+				const double Value = Kind == ESpirvType::Int    ? double(int32_t(Word))
+									 : Kind == ESpirvType::Uint ? double(Word)
+																: double(Real);
+				if (bPosition)
+				{
+					Output.Position[i] = Real;
+				}
+				else
+				{
+					Output.TexCoords[Index][i % Size] = Value;
+				}
 			}
 		}
 	}

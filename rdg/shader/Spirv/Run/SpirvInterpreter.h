@@ -16,7 +16,7 @@ namespace Drydock
 struct FInterpretedPixel
 {
 	bool bDiscarded = false;
-	float Targets[8][4] = {}; // integers: their bits
+	float Targets[GDepthTarget + 1][4] = {}; // integers: their bits; the depth in 0..1
 };
 
 class FSpirvInterpreterImpl;

@@ -10,6 +10,7 @@ void FRaceFinder::Begin(size_t NumWords)
 {
 	Words.assign(NumWords, FWord());
 	Races.clear();
+	Reads.clear();
 	Known.clear();
 	Epoch = 1;
 }
@@ -18,6 +19,12 @@ void FRaceFinder::Touch(
 	uint32_t Thread, uint32_t WordIndex, const FSpirvStep& Step, ESharedAccess Access, uint64_t Value)
 {
 	FWord& Word = Words.at(WordIndex);
+	if (Thread == Followed && Access == ESharedAccess::Read)
+	{
+		const FTouch& Changer = Word.Changers.Touches[0];
+		const FTouch& Last = Changer.Step && Changer.Epoch >= Word.Writer.Epoch ? Changer : Word.Writer;
+		Reads.push_back({&Step, Last.Thread, Last.Step});
+	}
 	const auto Meet = [&](const FTouch& Other, ESharedAccess AccessBefore)
 	{
 		const bool bSameValue =

@@ -31,11 +31,22 @@ struct FSpirvRace
 	ESharedAccess AccessBefore = ESharedAccess::Read;
 };
 
+/** A number of groupshared memory that a thread read, and who had put it there. */
+struct FSharedRead
+{
+	const FSpirvStep* Step = nullptr;
+	uint32_t Thread = 0;                // SV_GroupIndex of the one that wrote
+	const FSpirvStep* Writer = nullptr; // null: nothing wrote it
+};
+
 class DRYDOCK_API FRaceFinder
 {
 public:
 	/** A group begins. */
 	void Begin(size_t NumWords);
+	/** From now on the reads of one thread are kept, in its order. */
+	void Follow(uint32_t Thread) { Followed = Thread; }
+	const std::vector<FSharedRead>& GetFollowed() const { return Reads; }
 	/** All threads of it have come to a barrier. */
 	void PassBarrier() { ++Epoch; }
 	/** Value: the value written. Two threads that write the same value to one place are not a race. */
@@ -73,6 +84,8 @@ private:
 	};
 
 	std::vector<FWord> Words;
+	std::vector<FSharedRead> Reads;
+	uint32_t Followed = ~0u;
 	std::vector<FSpirvRace> Races;
 	std::set<std::tuple<const FSpirvStep*, const FSpirvStep*, uint32_t>> Known;
 	uint64_t Epoch = 1;

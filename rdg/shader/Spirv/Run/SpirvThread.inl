@@ -150,8 +150,15 @@ void TSpirvThread<Real>::FillInput(const FSpirvVariable& Variable, FWord* Out) c
 	}
 	const int32_t Index = GetTexCoordIndex(Variable.Semantic);
 	const uint32_t Size = std::min(4u, Program.Module.GetType(Variable.Type).NumScalars);
+	const ESpirvType Kind = Program.Module.GetScalarKind(Variable.Type, 0);
 	for (uint32_t i = 0; i < Size && Index >= 0 && Args->Interpolants; ++i)
 	{
+		if (Kind != ESpirvType::Float)
+		{
+			const double Base = Args->Interpolants[Index].Base[i];
+			Out[i] = Kind == ESpirvType::Int ? FWord(uint32_t(int32_t(Base))) : FWord(uint32_t(Base));
+			continue;
+		}
 		Out[i] = ToSpirvWord<Real>(
 			Lanes::Interpolate<Real>(Args->Interpolants[Index], int(i), Lanes::TInt<4>(Position[0]), Position[1])[0]);
 	}

@@ -228,7 +228,8 @@ TEST_F(Reflection, RefusesWhatDoesNotFitAndLeavesTheValue)
 	EXPECT_THAT(Give("Inner", {.Kind = FValue::EKind::Fields, .Items = {{"Scal", Number(4)}}}),
 		HasSubstr("0/Scal: FReflectedInner has no UPROPERTY Scal; did you mean Scale?"));
 	EXPECT_THAT(Give("Map", {.Kind = FValue::EKind::Fields}), HasSubstr("2: "));
-	EXPECT_THAT(Give("Object", FValue::MakeText("/Game/A.A")), HasSubstr("objects and assets cannot be given"));
+	EXPECT_THAT(
+		Give("Object", FValue::MakeText("/Game/A.A")), HasSubstr("of objects and assets only textures can be given"));
 	EXPECT_THAT(Give("Fixed", List({})), HasSubstr("2: "));
 	EXPECT_THAT(Give("Reel", Number(1)), HasSubstr("UReflectedTest has no UPROPERTY Reel; did you mean Real?"));
 	EXPECT_EQ(1, Object.Byte);

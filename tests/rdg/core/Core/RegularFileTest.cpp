@@ -54,6 +54,15 @@ protected:
 
 } // namespace
 
+TEST_F(RegularFile, APathOfWindowsIsNamedAsWslHasIt)
+{
+	EXPECT_EQ("No such file or directory; the drive of Windows is /mnt/c in WSL: /mnt/c/frames/a.exr",
+		ProblemOf(Path("C:\\frames\\a.exr")));
+	EXPECT_EQ("No such file or directory; the drive of Windows is /mnt/d in WSL: /mnt/d/a.exr", ProblemOf("d:/a.exr"));
+	EXPECT_EQ("No such file or directory; folders of a path are parted by /, not by \\", ProblemOf(Path("a\\b.exr")));
+	EXPECT_EQ("No such file or directory", ProblemOf(Path("a.exr")));
+}
+
 TEST_F(RegularFile, AllBytesAreRead)
 {
 	std::string Bytes;

@@ -27,7 +27,7 @@ void WriteInterpolant(const FKernelArgs& Args, const FKernelTile& Tile)
 	}
 }
 
-FKernelTarget GSeenTargets[4];
+FKernelTarget GSeenTargets[GDepthTarget + 1];
 int32 GNumSeenTargets = 0;
 
 void RecordTargets(const FKernelArgs& Args, const FKernelTile&)
@@ -319,6 +319,45 @@ TEST_F(Draw, IntegersAndFloatsGoToTargetsOfTheirKind)
 	EXPECT_THAT(ErrorOf(PF_R32_UINT, 0),
 		testing::AllOf(testing::HasSubstr("DD2133"),
 			testing::HasSubstr("FTestShader writes floats to SV_Target0, which is Test of PF_R32_UINT; return uint4")));
+}
+
+TEST_F(Draw, DepthOfAShaderGoesToTheTargetOfDepth)
+{
+	const FTextureRHIRef Depth = MakeTexture(FRHITextureDesc::Create2D(
+		FIntPoint(8, 4), PF_DepthStencil, FClearValueBinding::DepthFar, TexCreate_DepthStencilTargetable));
+	const auto DrawWith = [&](FRHIDepthStencilState* State, bool bWritesDepth)
+	{
+		FRHIRenderPassInfo Info(Texture, ERenderTargetActions::Load_Store);
+		Info.DepthStencilRenderTarget.DepthStencilTarget = Depth;
+		Info.DepthStencilRenderTarget.Action = EDepthStencilTargetActions::LoadDepthStencil_StoreDepthStencil;
+		FRHICommandListImmediate List;
+		List.BeginRenderPass(Info, TEXT("Test"));
+		FGraphicsPipelineStateInitializer Initializer;
+		Initializer.DepthStencilState = State;
+		SetGraphicsPipelineState(List, Initializer, 0);
+		FBoundShader Shader = MakeShader(EShaderStage::Pixel,
+			[](const FKernelArgs& Args, const FKernelTile& Tile)
+			{
+				GNumSeenTargets = Args.NumTargets;
+				for (int32 X = Tile.MinX; X < Tile.MaxX && Args.NumTargets > GDepthTarget; ++X)
+				{
+					const FKernelTexture& Of = Args.Targets[GDepthTarget].Texture;
+					reinterpret_cast<float*>(Of.Mips[0].Data)[X] = 0.25f;
+				}
+			});
+		FShaderReflection Reflection = Shader.GetReflection();
+		Reflection.bWritesDepth = bWritesDepth;
+		Shader.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+		List.SetBoundPixelShader(std::move(Shader));
+		List.DrawPrimitive(0, 1, 1);
+	};
+	DrawWith(TStaticDepthStencilState<false, CF_Always>::GetRHI(), true);
+	EXPECT_EQ(1, GNumSeenTargets); // the state does not write
+	DrawWith(TStaticDepthStencilState<true, CF_Always>::GetRHI(), true);
+	EXPECT_EQ(GDepthTarget + 1, GNumSeenTargets);
+	EXPECT_EQ(0.25f, Depth->ReadTexel(7, 0).R);
+	EXPECT_ANY_THROW(DrawWith(TStaticDepthStencilState<true, CF_Always>::GetRHI(), false));
+	EXPECT_ANY_THROW(DrawWith(TStaticDepthStencilState<true, CF_DepthNearOrEqual>::GetRHI(), true));
 }
 
 TEST_F(Draw, CountersCountPixelsAndBytes)

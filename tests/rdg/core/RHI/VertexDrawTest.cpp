@@ -4,6 +4,7 @@
 
 #include "CommonRenderResources.h"
 #include "RHITestHelpers.h"
+#include "VertexRectangles.h"
 
 using namespace Drydock;
 using namespace Drydock::Tests;
@@ -237,6 +238,46 @@ TEST_F(VertexDraw, WhatIsMissingIsAMessage)
 	RHICmdList.SetBoundPixelShader(std::move(Pixel));
 	EXPECT_THAT(ErrorOf(Draw), testing::HasSubstr("DD2132"));
 	EXPECT_THAT(ErrorOf(Draw), testing::HasSubstr("reads TEXCOORD2, which vertex shader FTestShader does not write"));
+
+	const auto ErrorOfReading = [&](int32 NumInterpolants, uint32 Integers)
+	{
+		FBoundShader Other = MakeShader(EShaderStage::Pixel, WriteInterpolants);
+		Reflection.NumInterpolants = NumInterpolants;
+		Reflection.IntegerInterpolants = Integers;
+		Other.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+		RHICmdList.SetBoundPixelShader(std::move(Other));
+		return ErrorOf(Draw);
+	};
+	EXPECT_THAT(
+		ErrorOfReading(1, 1), testing::HasSubstr("reads TEXCOORD0 as integers, which vertex shader FTestShader"));
+	EXPECT_THAT(ErrorOfReading(18, 0), testing::HasSubstr("reads COLOR1, which vertex shader FTestShader does not"));
+	SetGraphicsPipelineState(RHICmdList, FGraphicsPipelineStateInitializer());
+	EXPECT_THAT(ErrorOfReading(17, 0), testing::HasSubstr("reads COLOR0, which vertex shader FScreenPassVS does not"));
+	EXPECT_EQ("", ErrorOfReading(16, 0));
+}
+
+TEST_F(VertexDraw, AnIntegerThatDiffersIsNotDrawn)
+{
+	FDrawnRectangles Drawn;
+	std::vector<FVertexOutput> Vertices(6);
+	const float Corners[6][2] = {{-1, 1}, {1, 1}, {-1, -1}, {-1, -1}, {1, 1}, {1, -1}};
+	for (int32 i = 0; i < 6; ++i)
+	{
+		std::copy(Corners[i], Corners[i] + 2, Vertices[size_t(i)].Position);
+		Vertices[size_t(i)].Position[3] = 1;
+		Vertices[size_t(i)].TexCoords[GMaxTexCoords][0] = 4294967295.0;
+	}
+	const FIntRect Rect(0, 0, 4, 4);
+	Drawn = FindDrawnRectangles(Vertices, Rect, Rect, GMaxTexCoords + 1, 1u << GMaxTexCoords);
+	ASSERT_EQ(1u, Drawn.Rectangles.size());
+	EXPECT_EQ(4294967295.0, Drawn.Rectangles[0].Interpolants[GMaxTexCoords].Base[0]);
+	for (FVertexOutput& Vertex : Vertices)
+	{
+		Vertex.TexCoords[GMaxTexCoords][0] = double(Vertex.Position[0]);
+	}
+	EXPECT_EQ("", FindDrawnRectangles(Vertices, Rect, Rect, GMaxTexCoords + 1, 0).Fault);
+	EXPECT_EQ("the integers of COLOR0 are not the same at all vertices",
+		FindDrawnRectangles(Vertices, Rect, Rect, GMaxTexCoords + 1, 1u << GMaxTexCoords).Fault);
 }
 
 TEST_F(VertexDraw, AMeshIsNotDrawnAndSaidOnce)

@@ -7,6 +7,7 @@
 #include "RHIStaticStates.h"
 #include "ShaderBinding.h"
 #include "ShaderBindingPlan.h"
+#include "UniformBufferStructs.h"
 #include "rdg/graph/Shader/ShaderParameterStructs.h"
 
 #include <fstream>
@@ -235,6 +236,36 @@ TEST(ShaderMatching, AnUnreferencedUniformBufferIsNamed)
 			  "SHADER_PARAMETER_STRUCT_REF or SHADER_PARAMETER_RDG_UNIFORM_BUFFER of that buffer; it has those of "
 			  "TestView",
 		MessageOf(Reflection));
+}
+
+TEST(ShaderMatching, TheFramesOwnBufferIsReadWithAWarning)
+{
+	const FShaderParametersMetadata& Struct = *FTestInput::FTypeInfo::GetStructMetadata();
+	FShaderReflection Reflection = Loose({Constant("TestView_PreExposure", EShaderScalar::Float, 1, 16)}, 32);
+	Reflection.ConstantBuffers[0].Name = "TestView";
+	std::vector<FDiagnostic> Diagnostics = MatchShaderParameters("FBloomSetupPS", Reflection, Struct);
+	ASSERT_EQ(1u, Diagnostics.size());
+	EXPECT_EQ(ESeverity::Error, Diagnostics[0].Severity);
+
+	FTestViewUniforms View = {};
+	View.PreExposure = 0.375f;
+	const FFrameUniformBufferScope Scope(FTestViewUniforms::FTypeInfo::GetStructMetadata(), &View);
+	Diagnostics = MatchShaderParameters("FBloomSetupPS", Reflection, Struct);
+	ASSERT_EQ(1u, Diagnostics.size());
+	EXPECT_EQ(MissingUniformBuffer, Diagnostics[0].Code);
+	EXPECT_EQ(ESeverity::Warning, Diagnostics[0].Severity);
+	EXPECT_THAT(Diagnostics[0].Message, HasSubstr("'TestView_PreExposure' of uniform buffer 'TestView' is read by"));
+	EXPECT_THAT(Diagnostics[0].Message, HasSubstr("; the shader reads the frame's own."));
+
+	const FTestInput Input = {};
+	std::vector<FDiagnostic> Ignored;
+	const FShaderBindingPlan Plan = MakeShaderBindingPlan("FBloomSetupPS", Reflection, Struct, Ignored);
+	FBoundShader Bound;
+	FollowShaderBindingPlan(Plan, Reflection, &Input, Bound);
+	EXPECT_EQ(0.375f, FloatAt(Bound, 16));
+
+	// A struct that refers to the buffer has its own.
+	EXPECT_EQ("0 messages", MessageOf(Reflection));
 }
 
 TEST(ShaderMatching, AStructThatIsMissingIsOneMessage)

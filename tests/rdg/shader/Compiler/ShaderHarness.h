@@ -100,7 +100,7 @@ public:
 		EKernelFilter::Bilinear, EKernelAddress::Clamp, EKernelAddress::Clamp, EKernelAddress::Clamp, 8, 0, {}};
 	std::vector<FTestTexture> Targets;
 	int32_t WaveSize = FLaneConfig().WaveSize;
-	FKernelInterpolant Interpolants[4] = {};
+	FKernelInterpolant Interpolants[GMaxInterpolants] = {};
 
 	void SetFloats(const std::string& Name, const std::vector<float>& Values)
 	{

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ShaderDirectories.h"
+#include "EngineNames.h"
 #include "ShaderLint.h"
 
 #include <algorithm>
@@ -195,6 +196,20 @@ std::vector<std::string> LintCapability(uint32_t Capability)
 }
 
 } // namespace
+
+TEST(ShaderLint, NamesThatTheEnginesVersionDoesNotHave)
+{
+	AddShaderDirectory("/Engine", DRYDOCK_TEST_SOURCE_DIR "/rdg/graph/Shaders/Engine");
+	const FShaderCompileRequest Request = MakeRequest(
+		"#include \"/Engine/Private/Common.ush\"\n" +
+		Compute("RWTexture2D<float4> Out;", "	// FDFScalar in a comment\n	FDFScalar V = 1; Out[Id.xy] = V;"));
+	for (const int Minor : {0, 3, 4})
+	{
+		SetLintEngine(Minor);
+		EXPECT_EQ(Minor == 3 ? std::vector<std::string>{"not-in-engine:7"} : std::vector<std::string>(), Lint(Request));
+	}
+	SetLintEngine(0);
+}
 
 TEST(ShaderLint, EachRuleFindsItsPlantedFaultInItsLine)
 {
@@ -433,7 +448,8 @@ comment anywhere in the file. `drydock lint` finds nothing else in the shaders t
 `not-in-engine` reports what drydock has and the engine does not have: an include below `/Drydock`, an include of a file that
 an article adds, and a function, structure or constant of drydock's own. The finding names the file that defines it and, if
 known, the name that the engine has instead. `rdg/graph/Shaders/EngineNames.txt` lists the engine's names and states how
-certain each is. The rule does not look at C++.
+certain each is, and which versions have it. `--engine-minor X` also reports the names that engine 5.X does not have; the
+finding says if that is uncertain. The rule does not look at C++: `drydock build --engine-minor X` does.
 
 The table is made from `rdg/shader/Lint/LintRules.txt`. To write the page anew, run
 `DRYDOCK_BLESS=1 build/release/bin/test_rdg_Compiler --gtest_filter='ShaderLint.Doc*'`. Each rule is stated by the

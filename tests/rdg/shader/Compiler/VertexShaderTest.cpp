@@ -118,6 +118,30 @@ FOut Main(float4 Position : ATTRIBUTE, out float4 More[2] : TEXCOORD5)
 	EXPECT_EQ(0xEu | 0x60u, CompileShader(Request)->Vertex->GetTexCoordsWritten());
 }
 
+TEST(VertexShader, ColoursAndIntegersAreHandedOn)
+{
+	const FShaderCompileRequest Request = MakeRequest(R"(
+float4 Main(uint Id : SV_VertexID, out float4 C : COLOR1, nointerpolation out uint2 A : TEXCOORD3,
+	nointerpolation out int B : TEXCOORD4) : SV_POSITION
+{
+	C = float4(0.5, 1, 2, Id);
+	A = uint2(0xFFFFFFFFu - Id, 16777217);
+	B = -2147483647 + (int)Id;
+	return 1;
+})");
+	FVertexInput Input;
+	Input.VertexId = 2;
+	const FVertexOutput Output = RunVertex(Request, Input);
+	EXPECT_EQ(0.5, Output.TexCoords[GMaxTexCoords + 1][0]);
+	EXPECT_EQ(2, Output.TexCoords[GMaxTexCoords + 1][3]);
+	EXPECT_EQ(4294967293.0, Output.TexCoords[3][0]);
+	EXPECT_EQ(16777217.0, Output.TexCoords[3][1]);
+	EXPECT_EQ(-2147483645.0, Output.TexCoords[4][0]);
+	const std::shared_ptr<const FCompiledShader> Shader = CompileShader(Request);
+	EXPECT_EQ(1u << 17 | 1u << 3 | 1u << 4, Shader->Vertex->GetTexCoordsWritten());
+	EXPECT_EQ(1u << 3 | 1u << 4, Shader->Reflection.IntegerInterpolants);
+}
+
 TEST(VertexShader, APixelShaderReadsTheSameElements)
 {
 	FShaderHarness Harness("struct FIn { float2 UV[3] : TEXCOORD1; };\n"
@@ -170,11 +194,10 @@ TEST(VertexShader, WhatNobodyFeedsOrReadsIsRefusedByName)
 			"vertex input 'Where' has the semantic POSITION0, which no vertex declaration feeds; use ATTRIBUTEn"));
 	EXPECT_THAT(ErrorsOf("float4 Main(out uint L : SV_RenderTargetArrayIndex) : SV_POSITION { L = 1; return 0; }"),
 		HasSubstr("vertex output 'L' (SV_RENDERTARGETARRAYINDEX, uint) is not supported"));
-	EXPECT_THAT(
-		ErrorsOf("float4 Main(nointerpolation out int3x3 M : TEXCOORD0) : SV_POSITION { M = (int3x3)1; return 0; }"),
-		HasSubstr("(TEXCOORD0, int3)"));
-	EXPECT_THAT(ErrorsOf("float4 Main(out float4 C : COLOR0) : SV_POSITION { C = 1; return 0; }"),
-		HasSubstr("vertex output 'C' (COLOR0, float4)"));
+	EXPECT_THAT(ErrorsOf("float4 Main(out double2 M : TEXCOORD0) : SV_POSITION { M = 1; return 0; }"),
+		HasSubstr("(TEXCOORD0, double2)"));
+	EXPECT_THAT(ErrorsOf("float4 Main(out float4 C : COLOR4) : SV_POSITION { C = 1; return 0; }"),
+		HasSubstr("vertex output 'C' (COLOR4, float4)"));
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 P : ATTRIBUTE0) : TEXCOORD0 { return P; }"),
 		HasSubstr("the vertex shader writes no SV_POSITION"));
 }

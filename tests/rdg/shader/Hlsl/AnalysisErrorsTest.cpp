@@ -53,6 +53,17 @@ const std::vector<FRefusal> Refusals = {
 	{EStage::Compute, "", "float4 A; int B = A == A;",
 		"8:20: warning X4000: use of potentially uninitialized variable 'A': nothing sets it\n8:22: warning X3206: "
 		"implicit truncation of 'bool4' to 'int'"},
+	{EStage::Compute, "", "float A = 1; while (true) { A *= 2; }",
+		"8:15: warning X3696: infinite loop: its condition is always true, and no break and no return leaves it"},
+	{EStage::Compute, "", "float A = 1; for (uint i = 3; i >= 0; --i) { A *= 2; }",
+		"8:15: warning X3696: infinite loop: a uint is never below 0, so its condition is always true, and no break "
+		"and "
+		"no return leaves it"},
+	{EStage::Compute, "", "float A = 1; while (true) { if (A > 9) { return; } A *= 2; }", ""},
+	{EStage::Compute, "", "float A = 1; for (;;) { if (A > 9) { break; } A *= 2; }", ""},
+	{EStage::Compute, "", "float A = Weight * (1 / 2);",
+		"8:24: warning a division of whole numbers loses its fraction before it becomes 'float'; write 1.0 for 1"},
+	{EStage::Compute, "", "float A = Weight * (4 / 2) + 1.0 / 2; int B = 7 / 2;", ""},
 	{EStage::Compute, "", "float3 A = float2(1,2);", "8:13: X3017: cannot convert from 'float2' to 'float3'"},
 	{EStage::Compute, "", "float A = T.Sample(S, P).x;",
 		"8:14: X4532: .Sample in a compute shader is an error: only pixel shaders have the derivatives that choose the "
@@ -209,6 +220,8 @@ TEST(HlslAnalysisErrors, TheEntryIsJudged)
 {
 	EXPECT_EQ(AnalyseText("[numthreads(1, 1, 1)] void Mian() {}").Messages,
 		"0:0: entry point 'Main' does not exist in this shader; did you mean Mian?");
+	EXPECT_EQ(AnalyseText("float MainX() { return 1; } [numthreads(1, 1, 1)] void Edge() {}").Messages,
+		"0:0: entry point 'Main' does not exist in this shader; it has Edge");
 	EXPECT_EQ(AnalyseText("void Main() {}").Messages,
 		"1:6: the compute shader 'Main' has no [numthreads(X, Y, Z)] before it: its group's size");
 	EXPECT_EQ(AnalyseText("[numthreads(0, 1, 1)] void Main() {}").Messages,

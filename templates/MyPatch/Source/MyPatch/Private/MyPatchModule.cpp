@@ -1,5 +1,6 @@
 #include "Interfaces/IPluginManager.h"
 #include "Misc/CoreDelegates.h"
+#include "Misc/EngineVersionComparison.h"
 #include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 #include "ShaderCore.h"
@@ -15,17 +16,28 @@ public:
 		AddShaderSourceDirectoryMapping(TEXT("/Plugin/MyPatch"), FPaths::Combine(PluginFolder, TEXT("Shaders")));
 
 		// Shaders want the module early (LoadingPhase PostConfigInit), extensions want the engine.
-		FCoreDelegates::OnPostEngineInit.AddRaw(this, &FMyPatchModule::OnPostEngineInit);
+		GetPostEngineInit().AddRaw(this, &FMyPatchModule::OnPostEngineInit);
 	}
 
 	virtual void ShutdownModule() override
 	{
-		FCoreDelegates::OnPostEngineInit.RemoveAll(this);
+		GetPostEngineInit().RemoveAll(this);
 		ViewExtension.Reset();
 	}
 
 private:
-	void OnPostEngineInit() { ViewExtension = FSceneViewExtensions::NewExtension<FMyPatchViewExtension>(); }
+	static FSimpleMulticastDelegate& GetPostEngineInit()
+	{
+#if UE_VERSION_OLDER_THAN(5, 8, 0)
+		return FCoreDelegates::OnPostEngineInit;
+#else
+		return FCoreDelegates::GetOnPostEngineInit();
+#endif
+	}
+	void OnPostEngineInit()
+	{
+		ViewExtension = FSceneViewExtensions::NewExtension<FMyPatchViewExtension>();
+	}
 
 	TSharedPtr<FMyPatchViewExtension, ESPMode::ThreadSafe> ViewExtension;
 };

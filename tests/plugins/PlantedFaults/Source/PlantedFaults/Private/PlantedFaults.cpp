@@ -41,8 +41,28 @@ public:
 
 IMPLEMENT_GLOBAL_SHADER(FPlantedOverlapCS, "/Plugin/PlantedFaults/PlantedOverlap.usf", "MainCS", SF_Compute);
 
-/** The fault of PlantedOverlap.usf. */
+class FPlantedCopyCS : public FGlobalShader
+{
+public:
+	DECLARE_GLOBAL_SHADER(FPlantedCopyCS);
+	SHADER_USE_PARAMETER_STRUCT(FPlantedCopyCS, FGlobalShader);
+
+	BEGIN_SHADER_PARAMETER_STRUCT(FParameters, )
+		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Source)
+		SHADER_PARAMETER_RDG_BUFFER_SRV(StructuredBuffer<FPlantedItem>, Items)
+		SHADER_PARAMETER_RDG_TEXTURE_UAV(RWTexture2D<float4>, Out)
+	END_SHADER_PARAMETER_STRUCT()
+};
+
+IMPLEMENT_GLOBAL_SHADER(FPlantedCopyCS, "/Plugin/PlantedFaults/PlantedSizes.usf", "MainCS", SF_Compute);
+
+/** The fault of PlantedOverlap.usf, and those of this file. */
 constexpr int32 Overlap = 11;
+constexpr int32 OnStack = 12;
+constexpr int32 OtherStride = 13;
+constexpr int32 ThreadsAsGroups = 14;
+constexpr int32 SubscribesNothing = 15;
+constexpr int32 GroupsRoundedDown = 16;
 
 class FPlantedFaultsExtension : public FSceneViewExtensionBase
 {
@@ -55,7 +75,7 @@ public:
 	virtual void SubscribeToPostProcessingPass(
 		EPostProcessingPass Pass, FAfterPassCallbackDelegateArray& Callbacks, bool bIsPassEnabled) override
 	{
-		if (Pass == EPostProcessingPass::MotionBlur)
+		if (Pass == EPostProcessingPass::MotionBlur && CVarFault.GetValueOnAnyThread() != SubscribesNothing)
 		{
 			Callbacks.Add(FAfterPassCallbackDelegate::CreateRaw(this, &FPlantedFaultsExtension::Draw));
 		}
@@ -79,7 +99,15 @@ private:
 				FComputeShaderUtils::GetGroupCount(SceneColor.ViewRect.Size(), FIntPoint(8, 8)));
 			return FScreenPassTexture(Target, SceneColor.ViewRect);
 		}
-		auto* Parameters = GraphBuilder.AllocParameters<FPlantedFaultsPS::FParameters>();
+		if (CVarFault.GetValueOnRenderThread() >= OtherStride)
+		{
+			AddCopy(GraphBuilder, SceneColor, Target);
+			return FScreenPassTexture(Target, SceneColor.ViewRect);
+		}
+		FPlantedFaultsPS::FParameters Local;
+		auto* Parameters = CVarFault.GetValueOnRenderThread() == OnStack
+							   ? &Local
+							   : GraphBuilder.AllocParameters<FPlantedFaultsPS::FParameters>();
 		Parameters->Source = SceneColor.Texture;
 		Parameters->Fault = CVarFault.GetValueOnRenderThread();
 		Parameters->RenderTargets[0] = FRenderTargetBinding(Target, ERenderTargetLoadAction::ENoAction);
@@ -87,6 +115,22 @@ private:
 			RDG_EVENT_NAME("PlantedFaults"), TShaderMapRef<FPlantedFaultsPS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)),
 			Parameters, SceneColor.ViewRect);
 		return FScreenPassTexture(Target, SceneColor.ViewRect);
+	}
+
+	static void AddCopy(FRDGBuilder& GraphBuilder, const FScreenPassTexture& SceneColor, FRDGTextureRef Target)
+	{
+		const int32 Fault = CVarFault.GetValueOnRenderThread();
+		const FIntPoint Size = SceneColor.ViewRect.Size();
+		const uint32 Stride = Fault == OtherStride ? 4 : 16;
+		const float Nothing[4] = {};
+		auto* Parameters = GraphBuilder.AllocParameters<FPlantedCopyCS::FParameters>();
+		Parameters->Source = SceneColor.Texture;
+		Parameters->Items = GraphBuilder.CreateSRV(CreateStructuredBuffer(
+			GraphBuilder, TEXT("PlantedItems"), Stride, sizeof(Nothing) / Stride, Nothing, sizeof(Nothing)));
+		Parameters->Out = GraphBuilder.CreateUAV(Target);
+		FComputeShaderUtils::AddPass(GraphBuilder, RDG_EVENT_NAME("PlantedCopy"),
+			TShaderMapRef<FPlantedCopyCS>(GetGlobalShaderMap(GMaxRHIFeatureLevel)), Parameters,
+			Fault == ThreadsAsGroups ? FIntVector(Size.X, Size.Y, 1) : FIntVector(Size.X / 8, Size.Y / 8, 1));
 	}
 };
 

@@ -3,14 +3,18 @@
 #include "Engine/Engine.h"
 #include "EngineUtils.h"
 #include "HAL/IConsoleManager.h"
+#include "Interfaces/IPluginManager.h"
+#include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 #include "PixelShaderUtils.h"
 #include "PostProcess/PostProcessing.h"
 #include "PostProcessSetting.h"
 #include "SceneRendering.h"
+#include "ShaderCore.h"
 #include "ShaderParameterStruct.h"
 #include "TunedActor.h"
 #include "TunedSettings.h"
+#include "Engine/Texture2D.h"
 
 static TAutoConsoleVariable<float> CVarTunedGain(TEXT("r.Tuned.Gain"), 1.0f, TEXT("Multiplies green."));
 
@@ -39,6 +43,7 @@ public:
 		SHADER_PARAMETER_STRUCT_REF(FViewUniformShaderParameters, View)
 		SHADER_PARAMETER_RDG_TEXTURE(Texture2D, Input)
 		SHADER_PARAMETER_SAMPLER(SamplerState, InputSampler)
+		SHADER_PARAMETER_TEXTURE(Texture2D, Mask)
 		SHADER_PARAMETER(FVector4f, Scale)
 		SHADER_PARAMETER(FVector4f, Lift)
 		RENDER_TARGET_BINDING_SLOTS()
@@ -80,6 +85,7 @@ private:
 		Parameters->View = View.ViewUniformBuffer;
 		Parameters->Input = SceneColor.Texture;
 		Parameters->InputSampler = TStaticSamplerState<SF_Point, AM_Clamp, AM_Clamp, AM_Clamp>::GetRHI();
+		Parameters->Mask = Settings->Mask ? Settings->Mask->GetResource()->TextureRHI : GWhiteTexture->TextureRHI;
 		Parameters->Scale = FVector4f(1.0f, 1.0f, 1.0f, 1.0f);
 		if (Settings->Mode == ETunedMode::Multiply)
 		{
@@ -107,7 +113,15 @@ private:
 class FTunedModule : public IModuleInterface
 {
 public:
-	virtual void StartupModule() override { Extension = FSceneViewExtensions::NewExtension<FTunedExtension>(); }
+	virtual void StartupModule() override
+	{
+		const UClass* Class = GetDefault<UTunedSettings>()->GetClass();
+		check(Class == UTunedSettings::StaticClass() && Class->GetName() == TEXT("TunedSettings"));
+		check(Class->IsChildOf<UDeveloperSettings>() && Class->GetDefaultObject() == GetDefault<UTunedSettings>());
+		AddShaderSourceDirectoryMapping(TEXT("/Plugin/Tuned"),
+			FPaths::Combine(IPluginManager::Get().FindPlugin(TEXT("Tuned"))->GetBaseDir(), TEXT("Shaders")));
+		Extension = FSceneViewExtensions::NewExtension<FTunedExtension>();
+	}
 
 private:
 	TSharedPtr<FTunedExtension, ESPMode::ThreadSafe> Extension;
