@@ -24,7 +24,7 @@ DRYDOCK_API FConfigDocument ParseConfigDocument(const std::string& Text, const s
 /** Throws FError (exit code 3) when the file cannot be opened. */
 DRYDOCK_API FConfigDocument LoadConfigDocument(const std::string& File);
 
-/** File, Plugins and Objects alone: plugins bring console variables and settings, which the rest of the config names.
+/** File, Plugins, Objects and Assets alone: plugins bring console variables and settings, which the rest of the config names.
  * Mistakes are reported when all of it is read. */
 DRYDOCK_API FConfig ReadConfigPlugins(const FConfigDocument& Document);
 

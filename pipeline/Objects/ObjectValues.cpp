@@ -6,9 +6,9 @@
 #include "GameFramework/Actor.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Interfaces/IPluginManager.h"
+#include "Objects/ConfigAssets.h"
 #include "Objects/IniText.h"
 #include "Objects/ObjectErrors.h"
-#include "Objects/ObjectPictures.h"
 #include "Objects/PropertyText.h"
 #include "RangeTools.h"
 #include "RegularFile.h"
@@ -192,6 +192,17 @@ std::string FindConfigName(const FReflectedStruct& Class)
 	return Each != nullptr ? Each->Config : "";
 }
 
+/** A console variable's value as ini files have it: the engine's editor writes True and False. Source: engine
+ * ConvertValueFromHumanFriendlyValue (public copies). */
+std::string ReadHumanValue(const std::string& Text)
+{
+	const auto Is = [&](const char* Word)
+	{
+		return IsSameName(Text, Word);
+	};
+	return Is("True") || Is("Yes") || Is("On") ? "1" : Is("False") || Is("No") || Is("Off") ? "0" : Text;
+}
+
 /** Gives the classes of one plugin what one ini file says. */
 class FIniGiver
 {
@@ -271,7 +282,7 @@ private:
 		{
 			for (const FIniValue& Value : Key.Values)
 			{
-				OutVariables.push_back({Key.Name, Value.Text, SetBy, File, Value.Line});
+				OutVariables.push_back({Key.Name, ReadHumanValue(Value.Text), SetBy, File, Value.Line});
 			}
 		}
 	}
@@ -358,6 +369,7 @@ FObjectValues::FObjectValues(const FConfig& InConfig, std::vector<FDiagnostic>& 
 {
 	GWorld->RemovePlacedActors();
 	FReflection::Get().TakeBack();
+	BeginAssets(Config, Diagnostics);
 }
 
 void FObjectValues::GiveTo(const std::string& Library)
@@ -417,11 +429,8 @@ void FObjectValues::GiveObjects(const std::string& Library)
 					CheckCalls(*Class, Member.Value, Messages);
 					continue;
 				}
-				FPropertyValue Value = MakeValue(Member.Value);
-				const FFoundProperty Found = FReflection::Get().FindProperty(*Class, Member.Key, false);
 				if (ContainsInvalid(Member.Value) ||
-					((Found.Property == nullptr || LoadPictures(Config, *Found.Property->Type, Value, Problem)) &&
-						FReflection::Get().Give(*Class, Member.Key, Value, Problem)))
+					FReflection::Get().Give(*Class, Member.Key, MakeValue(Member.Value), Problem))
 				{
 					continue;
 				}

@@ -260,6 +260,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	TakeUncalledReplacements(); // of the frame before
 	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result.Graph.Warnings);
 	AddNewDiagnostics(Result.Diagnostics, Observer.GetUnwrittenReads());
+	AddNewDiagnostics(Result.Diagnostics, FRHICommandListExecutor::GetImmediateCommandList().TakeRemarks());
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
@@ -294,6 +295,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
+	Observer.KeepAssets();
 }
 
 /** A run before its policies are applied. */

@@ -2,6 +2,9 @@
 #include "Run/RunObserver.h"
 
 #include "Budget/RunOptions.h"
+#include "Engine/TextureRenderTarget2D.h"
+#include "Objects/ConfigAssets.h"
+#include "Objects/ObjectErrors.h"
 #include "Picture/TextureImage.h"
 #include "Run/PassLook.h"
 #include "Run/PassValues.h"
@@ -300,6 +303,26 @@ void FRunObserver::KeepTexture(int PassIndex, const std::string& Pass, const std
 		}
 		Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
 		Result.Dumps.push_back(std::move(Dump));
+	}
+}
+
+void FRunObserver::KeepAssets()
+{
+	for (const FAssetTarget& Asset : GetAssetTargets(Setup.Config))
+	{
+		const FTextureRenderTargetResource* const Resource =
+			Asset.Target != nullptr ? Asset.Target->GetRenderTargetResource() : nullptr;
+		if (Resource == nullptr)
+		{
+			Result.Diagnostics.push_back({.Severity = ESeverity::Note,
+				.Code = NoteAssetUnused,
+				.Message = "nothing asks for the render target " + Asset.Name,
+				.Where = "/assets/" + Asset.Name});
+			continue;
+		}
+		FRHITexture& Texture = *Resource->GetRenderTargetTexture();
+		KeepTexture(
+			static_cast<int>(Result.Graph.Passes.size()) - 1, "Assets", Asset.Name, Texture, GetWholeMips(Texture));
 	}
 }
 

@@ -31,6 +31,9 @@ public:
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override;
 
+	/** Keeps the render targets of the config's "assets" as they are after the frame; notes those that nothing drew. */
+	void KeepAssets();
+
 	const std::vector<FDiagnostic>& GetUnwrittenReads() const { return Unwritten.GetDiagnostics(); }
 
 private:

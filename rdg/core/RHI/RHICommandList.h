@@ -69,9 +69,15 @@ public:
 	bool IsImmediate() const { return bImmediate; }
 	FRHICommandListBase& GetAsImmediate() { return *this; }
 
-	/** Sums since ResetCounters. */
+	/** Sums since ResetCounters, which keeps the remarks that nobody has taken: those of work outside passes. */
 	const Drydock::FPassCounters& GetCounters() const { return Counters; }
-	void ResetCounters() { Counters = Drydock::FPassCounters(); }
+	void ResetCounters()
+	{
+		std::vector<Drydock::FDiagnostic> Remarks = TakeRemarks();
+		Counters = Drydock::FPassCounters();
+		Counters.Remarks = std::move(Remarks);
+	}
+	std::vector<Drydock::FDiagnostic> TakeRemarks() { return std::exchange(Counters.Remarks, {}); }
 	/** Counts what was written to Drawn as written to Target. */
 	void CountAs(const FRHITexture* Drawn, const FRHITexture* Target) { Counters.Rename(Drawn, Target); }
 

@@ -47,7 +47,7 @@ Drydock::FDiagnostic MakeNoRectangle(const std::string& VertexShader, const std:
 {
 	return Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
 		"nothing is drawn with vertex shader " + VertexShader + ": " + Fault +
-			". drydock draws rectangles of the screen, and triangles that cover the viewport");
+			". drydock draws triangles of the screen, whose w is the same at all vertices");
 }
 
 } // namespace

@@ -19,7 +19,7 @@ inline constexpr const char* GDrawRectangleParametersName = "DrawRectangleParame
 
 enum EVertexError : int
 {
-	WarnNoRectangle = 2130,    // triangles that are not rectangles: they are not drawn
+	WarnNoRectangle = 2130,    // triangles in perspective and the like: they are not drawn
 	ErrorVertexInput = 2131,   // a vertex shader reads what the draw does not give it
 	ErrorVertexToPixel = 2132, // a pixel shader reads a TEXCOORD that the vertex shader does not write
 	ErrorTargetKind = 2133,    // a pixel shader writes integers to a target of reals, or reals to one of integers

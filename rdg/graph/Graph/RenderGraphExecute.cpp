@@ -381,7 +381,7 @@ void FRDGExecutor::RunPass(FRDGPass& Pass)
 	CallCode(Pass.GetOwner(), [&] { RunLambda(Pass, Resources); });
 	const std::chrono::duration<double, std::milli> Elapsed = std::chrono::steady_clock::now() - Begin;
 	WarnAboutUnused(Pass, Resources);
-	AddNewDiagnostics(State.Remarks, RHICmdList.GetCounters().Remarks);
+	AddNewDiagnostics(State.Remarks, RHICmdList.TakeRemarks());
 	if (State.Observer)
 	{
 		State.Observer->OnPassExecuted(

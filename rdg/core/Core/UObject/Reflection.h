@@ -18,7 +18,6 @@
 #include <vector>
 
 class UTexture;
-class UTexture2D;
 
 namespace Drydock
 {
@@ -62,9 +61,10 @@ struct FPropertyType
 	std::string (*GetText)(const void* Address) = nullptr;
 	void (*SetText)(void* Address, const std::string& Text) = nullptr;
 
-	// Object, where it points to a UTexture or a UTexture2D: a config gives it a picture
-	void* (*GetObject)(const void* Address) = nullptr;
-	void (*SetObject)(void* Address, void* Texture) = nullptr;
+	// Object, where it points to a kind of UTexture: a config gives it an asset. SetObject: false for an object of
+	// another class; Address null: asks only.
+	UObject* (*GetObject)(const void* Address) = nullptr;
+	bool (*SetObject)(void* Address, UObject* Object) = nullptr;
 
 	// Enum, Struct: whose names are registered under it
 	const std::type_info* Type = nullptr;
@@ -319,15 +319,21 @@ FPropertyType MakeObjectType()
 	using FPointee = typename TPointee<T>::Type;
 	FPropertyType Type;
 	Type.Kind = EPropertyKind::Object;
-	if constexpr (std::is_same_v<FPointee, UTexture> || std::is_same_v<FPointee, UTexture2D>)
+	if constexpr (std::is_convertible_v<FPointee*, const UTexture*>)
 	{
-		Type.GetObject = [](const void* Address) -> void*
+		Type.GetObject = [](const void* Address) -> UObject*
 		{
-			return static_cast<FPointee*>(*static_cast<const T*>(Address));
+			FPointee* const Object = *static_cast<const T*>(Address);
+			return const_cast<std::remove_const_t<FPointee>*>(Object);
 		};
-		Type.SetObject = [](void* Address, void* Texture)
+		Type.SetObject = [](void* Address, UObject* Object)
 		{
-			*static_cast<T*>(Address) = T(static_cast<FPointee*>(Texture));
+			FPointee* const Texture = dynamic_cast<FPointee*>(Object);
+			if (Address != nullptr)
+			{
+				*static_cast<T*>(Address) = T(Texture);
+			}
+			return Texture != nullptr || Object == nullptr;
 		};
 	}
 	return Type;

@@ -283,7 +283,7 @@ TEST_F(VertexDraw, AnIntegerThatDiffersIsNotDrawn)
 TEST_F(VertexDraw, AMeshIsNotDrawnAndSaidOnce)
 {
 	std::vector<FVertex> Mesh = MakeCorners();
-	Mesh[4].Position[0] = 0.5f;
+	Mesh[4].Position[0] = std::numeric_limits<float>::quiet_NaN();
 	Bind(PT_TriangleStrip, DeclareVertices());
 	RHICmdList.SetStreamSource(0, MakeBuffer(Mesh, BUF_VertexBuffer), sizeof(FVertex));
 	RHICmdList.DrawPrimitive(0, 2, 1);
@@ -299,4 +299,10 @@ TEST_F(VertexDraw, AMeshIsNotDrawnAndSaidOnce)
 	ASSERT_EQ(2u, RHICmdList.GetCounters().Remarks.size());
 	EXPECT_THAT(
 		RHICmdList.GetCounters().Remarks[1].Message, testing::HasSubstr("10000 triangles, and 8192 are the most"));
+
+	// The first pass of a graph begins anew; what was drawn outside of passes is still to be said.
+	RHICmdList.ResetCounters();
+	EXPECT_EQ(0u, RHICmdList.GetCounters().Pixels);
+	EXPECT_EQ(2u, RHICmdList.TakeRemarks().size());
+	EXPECT_TRUE(RHICmdList.GetCounters().Remarks.empty());
 }
