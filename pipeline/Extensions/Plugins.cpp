@@ -14,6 +14,8 @@
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
+#include "Text/TextFile.h"
+#include "TextTools.h"
 #include "TimerManager.h"
 
 #include <dlfcn.h>
@@ -103,6 +105,23 @@ void NoteUnmapped(const FConfigPlace& Place, size_t Before, FConfigMessages& Mes
 	}
 }
 
+/** Warns of what `drydock build` has noted beside the library. */
+void WarnOfNames(const TConfigValue<std::string>& Plugin, const std::string& Path, FConfigMessages& Messages)
+{
+	const std::string File = GetVersionNotesFile(Path);
+	std::error_code None; // no file: nothing is noted
+	const Files::file_time_type Noted = Files::last_write_time(File, None);
+	if (!None && Noted >= Files::last_write_time(Path, None))
+	{
+		const std::vector<std::string> Lines = SplitText(TryReadTextFile(File).value_or(""));
+		for (const std::string& Line : Lines)
+		{
+			Messages.Warn(WarnPluginNames, Plugin.Place,
+				Line + "; no version was named, so it is accepted here (drydock build --engine-minor refuses it)");
+		}
+	}
+}
+
 /** Whether it is loaded; else that is reported. */
 bool Load(
 	const TConfigValue<std::string>& Plugin, const std::string& Path, FObjectValues& Values, FConfigMessages& Messages)
@@ -188,6 +207,7 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 		}
 		else if (Load(Plugin, Path, Values, Messages))
 		{
+			WarnOfNames(Plugin, Path, Messages);
 			Values.PlaceActors(GetFileName(Path));
 			Loaded.Files.push_back(Path);
 		}
@@ -195,6 +215,11 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 	Values.ReportUnknownClasses(Loaded.Files.size() == Config.Plugins.size());
 	Loaded.IniVariables = Values.GetVariables();
 	return Loaded;
+}
+
+std::string GetVersionNotesFile(const std::string& Library)
+{
+	return Library + ".names";
 }
 
 std::vector<std::string> FindPluginIniFiles(const std::string& Plugin)

@@ -484,4 +484,22 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	return Built;
 }
 
+std::string RememberBuildSteps(const Files::path& BuildFolder)
+{
+	const std::string Kept = (BuildFolder / "steps.log").string();
+	std::vector<FBuildStep> Before = ReadBuildSteps(TryReadTextFile(Kept).value_or(""));
+	std::erase_if(Before,
+		[&BuildFolder](const FBuildStep& Step)
+		{
+			std::error_code Error; // the source of a step without output no longer exists
+			const std::string Made = Step.Name.substr(Step.Name.find_last_of(' ') + 1);
+			return !Files::exists(BuildFolder / "cmake" / Made, Error);
+		});
+	const std::vector<FBuildStep> Now =
+		ReadBuildSteps(TryReadTextFile((BuildFolder / "build.log").string()).value_or(""));
+	const std::string All = WriteBuildSteps(MergeBuildSteps(Before, Now));
+	WriteTextFile(Kept, All);
+	return All;
+}
+
 } // namespace Drydock

@@ -54,4 +54,8 @@ DRYDOCK_API std::string MakePluginProject(const FPluginBuild& Build, const std::
  * compile (with the first errors), 3 where nothing can be written. */
 DRYDOCK_API FBuiltPlugin BuildPlugin(FPluginBuild Build);
 
+/** The compiler's messages on all sources, including those that were up to date: those of build.log, and for sources
+ * that it did not compile those of the builds before, which steps.log keeps. */
+DRYDOCK_API std::string RememberBuildSteps(const std::filesystem::path& BuildFolder);
+
 } // namespace Drydock
