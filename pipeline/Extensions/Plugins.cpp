@@ -117,7 +117,7 @@ void WarnOfNames(const TConfigValue<std::string>& Plugin, const std::string& Pat
 		for (const std::string& Line : Lines)
 		{
 			Messages.Warn(WarnPluginNames, Plugin.Place,
-				Line + "; no version was named, so it is accepted here (drydock build --engine-minor refuses it)");
+				Line + "; nobody named a version, so nothing is refused (drydock build --engine-minor names one)");
 		}
 	}
 }
