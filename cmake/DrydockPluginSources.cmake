@@ -394,7 +394,7 @@ function(_drydock_make_headers Name Folder OwnFolders)
 					file(WRITE "${Folder}/${Include}" "${Text}")
 				endif()
 			# Lower case only: the system's, or of a library beside the engine.
-			elseif(Path MATCHES "[A-Z].*[.]h$" AND NOT FileName IN_LIST Own AND NOT "${Asked}" MATCHES "${FileName}")
+			elseif(Path MATCHES "[A-Z].*[.](h|inl)$" AND NOT FileName IN_LIST Own AND NOT "${Asked}" MATCHES "${FileName}")
 				file(CONFIGURE OUTPUT "${Folder}/absent/${Path}" @ONLY CONTENT
 "// Made by drydock_add_plugin: drydock has nothing of this header of the engine.
 #pragma once

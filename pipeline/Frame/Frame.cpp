@@ -5,6 +5,8 @@
 #include "Effects/Effects.h"
 #include "Effects/Exposure.h"
 #include "Engine/BlendableInterface.h"
+#include "Engine/Engine.h"
+#include "EngineModule.h"
 #include "Extensions/ViewExtensions.h"
 #include "Frame/BasePassTargets.h"
 #include "Frame/FamilyTarget.h"
@@ -309,6 +311,7 @@ private:
 		const FFrameUniformBufferScope OwnView(
 			Inputs.Engine.bUnboundBufferEnds ? nullptr : FViewUniformShaderParameters::FTypeInfo::GetStructMetadata(),
 			Views.front()->View.ViewUniformBuffer->GetContents());
+		GEngine->GetPreRenderDelegateEx().Broadcast(GraphBuilder);
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;
@@ -324,12 +327,17 @@ private:
 			PostProcessingInputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
 			Extensions.PostRenderBasePass(
 				GraphBuilder, NamedViews, GetBasePassTargets(SceneTextures), PostProcessingInputs.SceneTextures);
+		}
+		GetRendererModule().GetResolvedSceneColorCallbacks().Broadcast(GraphBuilder, SceneTextures);
+		if (!Extensions.IsEmpty())
+		{
 			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
 			AddChain(GraphBuilder, NamedViews[Index], *Views[Index], SceneTextures, PostProcessingInputs);
 		}
+		GEngine->GetPostRenderDelegateEx().Broadcast(GraphBuilder);
 		Extensions.PostRender(GraphBuilder, Family, NamedViews);
 		GraphBuilder.QueueTextureExtraction(PostProcessingInputs.ViewFamilyTexture, &Final);
 		const std::vector<FDiagnostic> Notes = GetGraphNotes(GraphBuilder);

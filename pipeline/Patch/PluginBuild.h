@@ -40,10 +40,6 @@ struct FBuiltPlugin
  * version. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
 
-/** A sentence about the first class of UE4's composition graph that a text names, with what to write in its place;
- * empty: the text names none. It begins with the class. */
-DRYDOCK_API std::string AdviseOnCompositionGraph(const std::string& Text);
-
 /** Name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */
 DRYDOCK_API std::string FindPluginName(const std::string& Folder);
 

@@ -103,6 +103,10 @@ public:
 	/** Names the shader of the following dispatches; forgets the parameters of the one before. */
 	void SetComputePipelineState(FRHIComputeShader* ComputeShader);
 
+	/** The spelling before 5.1. */
+	void SetComputeShader(FRHIComputeShader* InComputeShader) { SetComputePipelineState(InComputeShader); }
+	FRHIComputeShader* GetBoundComputeShader() const { return ComputeShader; }
+
 	/** The parameters' binder hands over what DispatchComputeShader runs. Stays until the next pipeline state. */
 	void SetBoundComputeShader(Drydock::FBoundShader&& Shader);
 
@@ -272,6 +276,7 @@ public:
 
 	void ImmediateFlush(EImmediateFlushType::Type = EImmediateFlushType::FlushRHIThread) {}
 	void BlockUntilGPUIdle() {}
+	void FlushResources() {}
 	void SubmitAndBlockUntilGPUIdle() {}
 };
 
@@ -281,6 +286,8 @@ public:
 	/** The one list there is need of; made on first use. Not for two threads at once. */
 	static DRYDOCK_API FRHICommandListImmediate& GetImmediateCommandList();
 };
+
+inline FRHICommandListExecutor GRHICommandList;
 
 inline FRHICommandListImmediate& GetImmediateCommandList_ForRenderCommand()
 {

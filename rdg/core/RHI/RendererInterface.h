@@ -2,6 +2,7 @@
 // module. Source: engine RendererInterface.h.
 #pragma once
 
+#include "Delegates/Delegate.h"
 #include "Modules/ModuleInterface.h"
 #include "RHIResources.h"
 
@@ -82,8 +83,13 @@ public:
 	FSceneRenderTargetItem GetRenderTargetItem() const { return {GetRHI(), GetRHI()}; }
 };
 
-/** The module "Renderer". */
-class DRYDOCK_API IRendererModule : public IModuleInterface
+class FRDGBuilder;
+struct FSceneTextures;
+
+DECLARE_MULTICAST_DELEGATE_TwoParams(FOnResolvedSceneColor, FRDGBuilder&, const FSceneTextures&);
+
+	/** The module "Renderer". */
+	class DRYDOCK_API IRendererModule : public IModuleInterface
 {
 public:
 #define DRYDOCK_NO_DELEGATE(Name) \
@@ -96,4 +102,13 @@ public:
 	DRYDOCK_NO_DELEGATE(RegisterOverlayRenderDelegate)
 	int RegisterOverlayRenderDelegate(Arguments&&...);
 #undef DRYDOCK_NO_DELEGATE
+
+	/** Called in each frame once its scene colour is there, before PrePostProcessPass_RenderThread. */
+	FOnResolvedSceneColor& GetResolvedSceneColorCallbacks()
+	{
+		return ResolvedSceneColorCallbacks;
+	}
+
+private:
+	FOnResolvedSceneColor ResolvedSceneColorCallbacks;
 };

@@ -370,6 +370,7 @@ DRYDOCK_LANES_INLINE bool VisitUintFormat(ETexelStorage Storage, F f)
 	case ETexelStorage::R16_UINT:
 		return f(TUintFormat<ETexelStorage::R16_UINT, 1, 16>{});
 	case ETexelStorage::R32_UINT:
+	case ETexelStorage::R32_SINT: // the same bits
 		return f(TUintFormat<ETexelStorage::R32_UINT, 1, 32>{});
 	case ETexelStorage::RG8_UINT:
 		return f(TUintFormat<ETexelStorage::RG8_UINT, 2, 8>{});

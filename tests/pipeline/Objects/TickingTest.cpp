@@ -91,6 +91,14 @@ TEST(Ticking, TheConfigCallsFunctions)
 	EXPECT_EQ(8 + 0.25 * 17, GetBlue("8") - Blue);
 }
 
+TEST(Ticking, AnActionThatAFunctionReturnsIsActivated)
+{
+	const std::string Actor = R"("ATickingActor": {})";
+	const double Before = GetColor(FRunSession(MakeOptions(Actor)).Run(1, {}))[0];
+	const std::string Call = Actor + R"(, "UTickingAction": {"call": [{"AddLater": [null, 0.5]}]})";
+	EXPECT_EQ(0.5, GetColor(FRunSession(MakeOptions(Call)).Run(1, {}))[0] - Before);
+}
+
 TEST(Ticking, WhatCannotBeCalledIsToldAtItsPlace)
 {
 	EXPECT_THAT(GetErrors(R"("ATickingActor": {"call": [{"SetGlov": []}, "OnGlow", "Undefined"]})"),

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "DiagnosticList.h"
 #include "Diagnostics.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PluginBuild.h"
@@ -268,6 +269,64 @@ TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
 			Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4", " +drydock has nothing of CompGeom/Delaunay2.h"));
 		EXPECT_THAT(Message, Row("FLinearColour", "type", "1", "B.cpp:3", " +did you mean FLinearColor[?]"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  left out module TintTools: it is of type Editor\n"));
+	}
+}
+
+// An actor of a class that is not here, an .inl that is not here, many names, an engine too old.
+TEST_F(PluginBuild, AMissingBaseClassIsTheFirstRowOfAWholeTable)
+{
+	Write("Plugins/Tint/Tint.uplugin",
+		R"({"EngineVersion": "4.26.0", "Modules": [{"Name": "Tint", "Type": "Runtime"}]})");
+	Write("Plugins/Tint/Source/Tint/Public/TintThing.h", R"(#pragma once
+#include "TintThing.generated.h"
+UCLASS()
+class ATintThing : public ANoSuchActor
+{
+	GENERATED_BODY()
+	ATintThing();
+	void BeginPlay() override;
+};
+)");
+	Write("Plugins/Tint/Source/Tint/Private/A.cpp", R"(#include "TintThing.h"
+#include "NoSuchActor.inl"
+ATintThing::ATintThing()
+{
+	PrimaryActorTick.bCanEverTick = true;
+}
+void ATintThing::BeginPlay()
+{
+	Super::BeginPlay();
+	GetWorld();
+}
+)");
+	std::string Many;
+	for (int Index = 0; Index < 60; ++Index)
+	{
+		Many +=
+			"int F" + std::to_string(Index) + "() { return FNoSuchNameOfThePlugin" + std::to_string(Index) + "(); }\n";
+	}
+	Write("Plugins/Tint/Source/Tint/Private/B.cpp", Many);
+	for (const char* const Compiler : {"g++", "clang++"})
+	{
+		if (std::system(("which " + std::string(Compiler) + " >/dev/null").c_str()) != 0)
+		{
+			continue;
+		}
+		SCOPED_TRACE(Compiler);
+		Files::remove_all(Root / "build");
+		FPluginBuild Build = Describe();
+		Build.Compiler = Compiler;
+		const std::string Message = SummarizeDiagnostics({{.Message = Refuse(Build).second}}).front().Message;
+		EXPECT_THAT(Message,
+			testing::StartsWith("it is for engine 4.26, and drydock knows 5.1 to 5.8; does not compile: 61 names are "
+								"missing here\n"));
+		EXPECT_THAT(Message,
+			testing::ContainsRegex("first place *\n  ANoSuchActor +base class +[12]  Source/Tint/Public/TintThing.h:[45]  "
+								   "drydock has nothing of NoSuchActor.inl\n"));
+		EXPECT_THAT(Message, testing::HasSubstr("\n  FNoSuchNameOfThePlugin59 "));
+		EXPECT_THAT(
+			Message, testing::ContainsRegex("more errors, which may follow from the missing base classes: .*GetWorld"));
+		EXPECT_THAT(Message, testing::HasSubstr("full log: "));
 	}
 }
 

@@ -90,6 +90,8 @@ public:
 	virtual void PostInitProperties() {}
 	virtual void PostLoad() {}
 	virtual void BeginDestroy() {}
+	/** Never called: nothing is saved or loaded. */
+	virtual void Serialize(class FArchive&) {}
 	/** Never called: nothing is edited. */
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
 	/** Two objects that live at one time have two numbers. */
@@ -110,6 +112,10 @@ public:
 		Drydock::FinishNewObject(*Result, typeid(T));
 		return Result;
 	}
+	/** Nothing is collected here, rooted or not. */
+	void AddToRoot() { bRooted = true; }
+	void RemoveFromRoot() { bRooted = false; }
+	bool IsRooted() const { return bRooted; }
 	FString GetName() const { return Name.ToString(); }
 	FName GetFName() const { return Name; }
 	/** It is its class's default object. */
@@ -126,6 +132,7 @@ private:
 	uint32 UniqueID = MakeUniqueID();
 	UObject* Outer = nullptr;
 	bool bTemplate = false;
+	bool bRooted = false;
 	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
 

@@ -17,6 +17,7 @@
 #include <typeinfo>
 #include <vector>
 
+class UBlueprintAsyncActionBase;
 class UTexture;
 
 namespace Drydock
@@ -571,7 +572,25 @@ private:
 			}
 			else
 			{
-				(*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+				using TResult = decltype((*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...));
+				const auto Do = [&]
+				{
+					return (*Function)(static_cast<TParameters&&>(std::get<Indices>(Values))...);
+				};
+				if constexpr (requires(TResult R) {
+								  static_cast<UBlueprintAsyncActionBase*>(R);
+								  R->Activate();
+							  })
+				{
+					if (const TResult Action = Do()) // as a Blueprint does with what such a function returns
+					{
+						Action->Activate();
+					}
+				}
+				else
+				{
+					Do();
+				}
 			}
 		}
 		return true;

@@ -2,6 +2,7 @@
 
 #include "CoreMinimal.h"
 #include "GameFramework/Actor.h"
+#include "Kismet/BlueprintAsyncActionBase.h"
 #include "Subsystems/WorldSubsystem.h"
 #include "TimerManager.h"
 
@@ -114,4 +115,28 @@ private:
 	FTimerHandle Timer;
 
 	friend class FTickingExtension;
+};
+
+/** Adds to the actor's picture once a Blueprint has activated it. */
+UCLASS()
+class TICKING_API UTickingAction : public UBlueprintAsyncActionBase
+{
+	GENERATED_BODY()
+
+public:
+	UFUNCTION(BlueprintCallable, meta = (BlueprintInternalUseOnly = "true", WorldContext = "WorldContextObject"))
+	static UTickingAction* AddLater(UObject* WorldContextObject, float InAmount)
+	{
+		UTickingAction* const Action = NewObject<UTickingAction>();
+		Action->Amount = InAmount;
+		Action->RegisterWithGameInstance(WorldContextObject);
+		return Action;
+	}
+	virtual void Activate() override
+	{
+		ATickingActor::Added += Amount;
+		SetReadyToDestroy();
+	}
+
+	float Amount = 0.0f;
 };
