@@ -133,7 +133,7 @@ function(_drydock_generate_header Header GeneratedFolder Name Module OutMade)
 #include \"@Header@\"
 
 #include \"Subsystems/Subsystem.h\"
-#include \"UObject/Reflection.h\"
+#include \"UObject/ReflectionMake.h\"
 
 namespace
 {

@@ -215,7 +215,7 @@ public:
 	void SetBlendFactor(const FLinearColor& BlendFactor);
 
 	/** Each instance covers the viewport once, within scissor and targets; or what the vertex shader makes of it, which
-	 * have to be rectangles (VertexRectangles.h): others are not drawn, which is a warning of the pass (DD2130). */
+	 * have to be triangles of the screen (VertexRectangles.h): others are not drawn, which is a warning (DD2130). */
 	void DrawPrimitive(uint32 BaseVertexIndex, uint32 NumPrimitives, uint32 NumInstances);
 	void DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32 NumVertices,
 		uint32 StartIndex, uint32 NumPrimitives, uint32 NumInstances);
