@@ -10,14 +10,15 @@ class FRDGBuilder;
 class FSceneViewExtensions;
 
 DECLARE_MULTICAST_DELEGATE_OneParam(FPreRenderDelegateEx, FRDGBuilder&);
-	DECLARE_MULTICAST_DELEGATE_OneParam(FPostRenderDelegateEx, FRDGBuilder&);
+DECLARE_MULTICAST_DELEGATE_OneParam(FPostRenderDelegateEx, FRDGBuilder&);
 
-	/** The action of GetWorldFromContextObject when an object has no world. */
-	enum class EGetWorldErrorMode {
-		ReturnNull,
-		LogAndReturnNull,
-		Assert
-	};
+/** The action of GetWorldFromContextObject when an object has no world. */
+enum class EGetWorldErrorMode
+{
+	ReturnNull,
+	LogAndReturnNull,
+	Assert
+};
 
 class DRYDOCK_API UEngine : public UObject
 {

@@ -21,8 +21,8 @@ constexpr size_t NumListedOfMany = 5;
 constexpr int MoreDiagnosticsCode = 1025;
 
 /** Appends to Diagnostics. From the hundred-and-first of one kind on, they are only counted, in a last message of that
- * severity: "and 12 more like it (DD1012)". A message is cut where its first line has more than 2000 bytes, and at 64000
- * bytes: a table of many lines stays whole. */
+ * severity: "and 12 more like it (DD1012)". A message is cut where its first line has more than 2000 bytes, and at
+ * 64000 bytes: a table of many lines stays whole. */
 DRYDOCK_API void AddDiagnostic(std::vector<FDiagnostic>& Diagnostics, FDiagnostic Diagnostic);
 
 /** Appends those of More whose text, as ToString gives it, is not in Diagnostics yet. */

@@ -88,8 +88,8 @@ struct FSceneTextures;
 
 DECLARE_MULTICAST_DELEGATE_TwoParams(FOnResolvedSceneColor, FRDGBuilder&, const FSceneTextures&);
 
-	/** The module "Renderer". */
-	class DRYDOCK_API IRendererModule : public IModuleInterface
+/** The module "Renderer". */
+class DRYDOCK_API IRendererModule : public IModuleInterface
 {
 public:
 #define DRYDOCK_NO_DELEGATE(Name) \

@@ -93,7 +93,7 @@ TEST(Ticking, TheConfigCallsFunctions)
 
 TEST(Ticking, AnActionThatAFunctionReturnsIsActivated)
 {
-	const std::string Actor = R"("ATickingActor": {})";
+	const std::string Actor = R"("ATickingActor": {"call": [{"SetGlow": ["Glowing", [0, 0, 0], "name"]}]})";
 	const double Before = GetColor(FRunSession(MakeOptions(Actor)).Run(1, {}))[0];
 	const std::string Call = Actor + R"(, "UTickingAction": {"call": [{"AddLater": [null, 0.5]}]})";
 	EXPECT_EQ(0.5, GetColor(FRunSession(MakeOptions(Call)).Run(1, {}))[0] - Before);

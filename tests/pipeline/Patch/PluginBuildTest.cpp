@@ -320,9 +320,10 @@ void ATintThing::BeginPlay()
 		EXPECT_THAT(Message,
 			testing::StartsWith("it is for engine 4.26, and drydock knows 5.1 to 5.8; does not compile: 61 names are "
 								"missing here\n"));
-		EXPECT_THAT(Message,
-			testing::ContainsRegex("first place *\n  ANoSuchActor +base class +[12]  Source/Tint/Public/TintThing.h:[45]  "
-								   "drydock has nothing of NoSuchActor.inl\n"));
+		EXPECT_THAT(
+			Message, testing::ContainsRegex(
+						 "first place *\n  ANoSuchActor +base class +[12]  Source/Tint/Public/TintThing.h:[45]  "
+						 "drydock has nothing of NoSuchActor.inl\n"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  FNoSuchNameOfThePlugin59 "));
 		EXPECT_THAT(
 			Message, testing::ContainsRegex("more errors, which may follow from the missing base classes: .*GetWorld"));

@@ -1,5 +1,5 @@
-// The archive that the engine saves objects to and loads them from: nothing is saved here, and nobody makes one. Source: engine
-// Serialization/Archive.h.
+// The archive that the engine saves objects to and loads them from: nothing is saved here, and nobody makes one.
+// Source: engine Serialization/Archive.h.
 #pragma once
 
 class FArchive
