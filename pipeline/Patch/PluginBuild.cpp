@@ -4,6 +4,7 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/BuildLog.h"
 #include "Patch/EngineApi.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"

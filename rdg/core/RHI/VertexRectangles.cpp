@@ -16,7 +16,7 @@ namespace
  * plane of the others. */
 constexpr double GPlaneTolerance = 1.0 / (1 << 18);
 
-/** Of the triangles of a draw: each row is drawn by itself, and is held meanwhile. */
+/** The most rows of pixels of a draw. Each row is drawn by itself, and all of them are held meanwhile. */
 constexpr size_t GMaxRows = 1 << 18;
 
 /** A vertex on its way to the pixels. */
