@@ -45,12 +45,13 @@ class FFinder
 {
 public:
 	FFinder(const std::vector<FVertexOutput>& InVertices, const FIntRect& InViewport, const FIntRect& InBounds,
-		int32_t InNumTexCoords, uint32_t InIntegers)
+		int32_t InNumTexCoords, uint32_t InIntegers, const std::vector<std::string>& InNamed)
 		: Vertices(InVertices)
 		, Viewport(InViewport)
 		, Bounds(InBounds)
 		, NumTexCoords(InNumTexCoords)
 		, Integers(InIntegers)
+		, Named(InNamed)
 	{
 	}
 
@@ -108,7 +109,8 @@ private:
 				const double* const First = Vertices[0].TexCoords[Index];
 				if ((Integers >> Index & 1) && !std::equal(First, First + 4, Vertex.TexCoords[Index]))
 				{
-					Result.Fault = "the integers of " + GetInterpolantName(Index) + " are not the same at all vertices";
+					Result.Fault =
+						"the integers of " + GetInterpolantName(Index, Named) + " are not the same at all vertices";
 				}
 			}
 			if (!Result.Fault.empty())
@@ -156,8 +158,8 @@ private:
 		const int32 Bent = FindBent(Six, Interpolants);
 		if (Bent >= 0)
 		{
-			Result.Fault =
-				GetInterpolantName(Bent) + " does not run evenly over the rectangle: its four corners lie on no plane";
+			Result.Fault = GetInterpolantName(Bent, Named) +
+						   " does not run evenly over the rectangle: its four corners lie on no plane";
 			return true;
 		}
 		const FIntRect Rect(GetFirstPixel(Left), GetFirstPixel(Top), GetFirstPixel(Right), GetFirstPixel(Bottom));
@@ -258,6 +260,7 @@ private:
 	const FIntRect Bounds;
 	const int32 NumTexCoords;
 	const uint32 Integers;
+	const std::vector<std::string>& Named;
 	std::vector<FCorner> Corners;
 	FDrawnRectangles Result;
 };
@@ -265,9 +268,9 @@ private:
 } // namespace
 
 FDrawnRectangles FindDrawnRectangles(const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport,
-	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers)
+	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers, const std::vector<std::string>& Named)
 {
-	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers).Run();
+	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers, Named).Run();
 }
 
 } // namespace Drydock
