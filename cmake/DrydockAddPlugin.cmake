@@ -133,7 +133,7 @@ function(_drydock_generate_header Header GeneratedFolder Name Module OutMade)
 #include \"@Header@\"
 
 #include \"Subsystems/Subsystem.h\"
-#include \"UObject/Reflection.h\"
+#include \"UObject/ReflectionMake.h\"
 
 namespace
 {
@@ -437,19 +437,25 @@ function(drydock_add_plugin Name)
 	set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")
 	file(CONFIGURE OUTPUT "${MappingFile}" @ONLY CONTENT
 "// Made by drydock_add_plugin: where the plugin and its shaders are.
+#include \"DrydockHeadersMark.h\"
 #include \"Interfaces/IPluginManager.h\"
 #include \"ShaderCore.h\"
 
+extern \"C\" const char DRYDOCK_HEADERS_MARK;
+
 namespace
 {
+[[gnu::used]] const char* const Headers = &DRYDOCK_HEADERS_MARK;
 @Mapping@@Registrations@} // namespace
 ")
 	list(APPEND SourceFiles "${MappingFile}")
 	set_source_files_properties("${MappingFile}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 	add_library(${Name} SHARED ${SourceFiles})
-	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}" PRIVATE "${GeneratedFolder}/absent"
-		"${GeneratedFolder}/${_DrydockFolderBelowEngine}")
+	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}"
+		PRIVATE "${GeneratedFolder}/${_DrydockFolderBelowEngine}")
+	# Behind all other folders: a header that a project makes later is not hidden by an empty one.
+	target_compile_options(${Name} PRIVATE "SHELL:-idirafter \"${GeneratedFolder}/absent\"")
 	target_link_libraries(${Name} PUBLIC drydock::drydock ${Needed})
 	target_compile_features(${Name} PUBLIC cxx_std_20)
 	target_compile_definitions(${Name} PRIVATE ${Definitions})

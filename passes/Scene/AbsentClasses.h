@@ -1,37 +1,32 @@
 // Classes of the engine that code may name and point to, and whose work is absent here: calling it is a compile error
-// that names the way round. Source: engine files Components/SceneCaptureComponent2D.h,
-// Components/StaticMeshComponent.h, Engine/StaticMesh.h, ImageUtils.h, Dom/JsonObject.h.
+// that names the way round, or a warning. Source: engine files Components/SceneCaptureComponent2D.h, ImageUtils.h,
+// Dom/JsonObject.h.
 #pragma once
 
-#include "Components/PrimitiveComponent.h"
+#include "Components/MeshComponent.h"
 #include "Engine/TextureRenderTarget2D.h"
 #include "SceneView.h"
 
-#define DRYDOCK_NO_MESH(Name) DRYDOCK_ABSENT(Name, "no mesh is drawn; frames come rendered")
-#define DRYDOCK_NO_CAPTURE(Name) \
-	DRYDOCK_ABSENT( \
-		Name, "no scene is rendered; give the captured picture as a texture of the scene (docs/scene-textures.md)")
-
-class DRYDOCK_API UStaticMesh : public UObject
+enum class ESceneCapturePrimitiveRenderMode : uint8
 {
-public:
-	DRYDOCK_CLASS(UStaticMesh, UObject)
-	using UObject::UObject;
-
-	DRYDOCK_NO_MESH(GetRenderData) class FStaticMeshRenderData* GetRenderData() const;
-	DRYDOCK_NO_MESH(GetNumVertices) int32 GetNumVertices(int32 LODIndex) const;
-	DRYDOCK_NO_MESH(GetNumTriangles) int32 GetNumTriangles(int32 LODIndex) const;
+	PRM_LegacySceneCapture,
+	PRM_RenderScenePrimitives,
+	PRM_UseShowOnlyList
 };
-
-class DRYDOCK_API UStaticMeshComponent : public UPrimitiveComponent
+enum ESceneCaptureCompositeMode : int
 {
-public:
-	DRYDOCK_CLASS(UStaticMeshComponent, UPrimitiveComponent)
-	using UPrimitiveComponent::UPrimitiveComponent;
-
-	DRYDOCK_NO_MESH(SetStaticMesh) bool SetStaticMesh(UStaticMesh* NewMesh);
-	UStaticMesh* GetStaticMesh() const { return nullptr; }
+	SCCM_Overwrite,
+	SCCM_Additive,
+	SCCM_Composite
 };
+namespace ECameraProjectionMode
+{
+enum Type : int
+{
+	Perspective,
+	Orthographic
+};
+} // namespace ECameraProjectionMode
 
 class DRYDOCK_API USceneCaptureComponent2D : public USceneComponent
 {
@@ -44,8 +39,30 @@ public:
 	ESceneCaptureSource CaptureSource = SCS_SceneColorHDR;
 	bool bCaptureEveryFrame = true;
 	bool bCaptureOnMovement = true;
-	DRYDOCK_NO_CAPTURE(CaptureScene) void CaptureScene();
-	DRYDOCK_NO_CAPTURE(CaptureSceneDeferred) void CaptureSceneDeferred();
+	bool bAlwaysPersistRenderingState = false;
+	ESceneCapturePrimitiveRenderMode PrimitiveRenderMode = ESceneCapturePrimitiveRenderMode::PRM_LegacySceneCapture;
+	ESceneCaptureCompositeMode CompositeMode = SCCM_Overwrite;
+	ECameraProjectionMode::Type ProjectionType = ECameraProjectionMode::Perspective;
+	float OrthoWidth = 512.0f; // cm
+	TArray<AActor*> ShowOnlyActors;
+	TArray<AActor*> HiddenActors;
+	FPostProcessSettings PostProcessSettings;
+	float PostProcessBlendWeight = 1.0f;
+	FEngineShowFlags ShowFlags;
+
+	void ShowOnlyActorComponents(AActor* Actor, bool = false) { ShowOnlyActors.Add(Actor); }
+	void HideActorComponents(AActor* Actor, bool = false) { HiddenActors.Add(Actor); }
+	/** Its texture keeps what it has, and a warning says once why. */
+	void CaptureScene() { SayNothingIsCaptured(); }
+	void CaptureSceneDeferred() { SayNothingIsCaptured(); }
+	void OnRegister() override { SayNothingIsCaptured(); }
+
+private:
+	static void SayNothingIsCaptured()
+	{
+		Drydock::SayNeutral(TEXT("USceneCaptureComponent2D"),
+			TEXT("no scene is rendered; give the captured picture as a texture of the scene (docs/scene-textures.md)"));
+	}
 };
 
 class FImageUtils

@@ -6,6 +6,7 @@
 #pragma once
 
 // Core, CoreUObject, Projects
+#include "Async/Async.h"
 #include "CoreMinimal.h"
 #include "HAL/FileManager.h"
 #include "Interfaces/IPluginManager.h"
@@ -41,17 +42,20 @@
 #include "UniformBuffer.h"
 
 // Engine
+#include "Components/MeshComponent.h"
 #include "Components/PrimitiveComponent.h"
 #include "Components/SceneComponent.h"
 #include "Engine/BlendableInterface.h"
 #include "Engine/DataAsset.h"
 #include "Engine/DeveloperSettings.h"
 #include "Engine/Engine.h"
+#include "Engine/GameViewportClient.h"
 #include "Engine/Texture.h"
 #include "Engine/TextureRenderTarget2D.h"
 #include "Engine/World.h"
 #include "EngineUtils.h"
 #include "GameFramework/Actor.h"
+#include "GameFramework/Pawn.h"
 #include "GameFramework/WorldSettings.h"
 #include "Kismet/BlueprintFunctionLibrary.h"
 #include "Materials/MaterialInterface.h"

@@ -1,7 +1,14 @@
 // Initial contents of a view. Source: engine file SceneView.cpp.
 #include "SceneView.h"
 
+#include "UnrealClient.h"
+
 IMPLEMENT_GLOBAL_SHADER_PARAMETER_STRUCT(FViewUniformShaderParameters, "View");
+
+FRDGTextureRef TryCreateViewFamilyTexture(FRDGBuilder& GraphBuilder, const FSceneViewFamily& ViewFamily)
+{
+	return ViewFamily.RenderTarget ? ViewFamily.RenderTarget->GetRenderTargetTexture(GraphBuilder) : nullptr;
+}
 
 const ISceneViewFamilyScreenPercentage* FSceneViewFamily::GetScreenPercentageInterface() const
 {

@@ -167,6 +167,9 @@ public:
 	DRYDOCK_API const ISceneViewFamilyScreenPercentage* GetScreenPercentageInterface() const;
 };
 
+/** The final picture in a graph, View.Family->RenderTarget; null where there is none. */
+DRYDOCK_API FRDGTextureRef TryCreateViewFamilyTexture(FRDGBuilder& GraphBuilder, const FSceneViewFamily& ViewFamily);
+
 /** Position and projection of a view before it is made. */
 struct FSceneViewProjectionData
 {

@@ -7,6 +7,7 @@ UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(UMaterialInterface* P
 {
 	UMaterialInstanceDynamic* const Instance = NewObject<UMaterialInstanceDynamic>(Outer);
 	Instance->Parent = Parent;
+	Drydock::SayNeutral(TEXT("UMaterialInstanceDynamic"), TEXT("no material is drawn; its parameters are kept"));
 	return Instance;
 }
 

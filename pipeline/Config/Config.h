@@ -160,6 +160,7 @@ struct FConfig
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve
 	std::vector<FConfigOverlay> Overlays;
 	FJsonValue Objects; // as it stands, null where there is none: see FObjectValues
+	FJsonValue Assets;  // as it stands, null where there is none: see BeginAssets
 	FConfigScene Scene;
 	FConfigView View;                               // the first of Views where these are given
 	std::vector<FConfigView> Views;                 // empty: View alone

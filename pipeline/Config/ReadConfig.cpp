@@ -211,6 +211,7 @@ void ReadPlugins(const FJsonValue& Root, FConfig& Config)
 		ReadOverlay(*Overlay, Config);
 	}
 	WithMember(Root, "objects", EJsonType::Object, [&](const FJsonValue& Objects) { Config.Objects = Objects; });
+	WithMember(Root, "assets", EJsonType::Object, [&](const FJsonValue& Assets) { Config.Assets = Assets; });
 }
 
 void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages)

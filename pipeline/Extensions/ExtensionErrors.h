@@ -25,6 +25,7 @@ enum EExtensionError
 	NotePluginIdle = 2076,        // none of its extensions took part
 	NotePluginUnmapped = 2077,    // drydock maps its shaders, it does not
 	WarnEngineUnknown = 2075,     // compiled for an engine version that there is no row of
+	WarnPluginNames = 2078,       // it uses names that its engine version does not have, and nobody named the version
 	ErrorPluginRefused = 2079,    // one that a config names in a run without plugins
 	ErrorUnknownExtension = 2080, // no extension type of that name
 	ErrorUnknownPass = 2081,      // no pass type of that name

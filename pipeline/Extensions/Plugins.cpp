@@ -1,6 +1,7 @@
 // Loads shared objects once and starts their modules.
 #include "Extensions/Plugins.h"
 
+#include "Async/Async.h"
 #include "Config/ConfigReader.h"
 #include "AddedSettingFields.h"
 #include "CodeScope.h"
@@ -14,12 +15,22 @@
 #include "PostProcessSettingsReflection.h"
 #include "RegularFile.h"
 #include "ShaderDirectories.h"
+#include "Text/TextFile.h"
+#include "TextTools.h"
 #include "TimerManager.h"
 
+#include <DrydockHeadersMark.h>
 #include <dlfcn.h>
 #include <filesystem>
 #include <link.h>
 #include <map>
+
+/** Plugins that were built with these headers need it. */
+extern "C"
+{
+	extern DRYDOCK_API const char DRYDOCK_HEADERS_MARK;
+	const char DRYDOCK_HEADERS_MARK = 0;
+}
 
 namespace Drydock
 {
@@ -66,6 +77,7 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 		{
 			GEngine->ViewExtensions->ForgetPlugin(Path);
 			GWorld->GetTimerManager().ClearAllTimersOf(Owner.Plugin);
+			ForgetTasksOf(Owner.Plugin);
 			dlclose(Plugin.Handle);
 		});
 	ForgetPluginCode(Owner.Plugin);
@@ -99,6 +111,23 @@ void NoteUnmapped(const FConfigPlace& Place, size_t Before, FConfigMessages& Mes
 				"the plugin does not map " + Virtual + ", and the engine will not find " + Used +
 					": call AddShaderSourceDirectoryMapping(TEXT(\"" + Virtual +
 					"\"), ...) in its module's StartupModule; drydock maps it to " + All[Index].Real);
+		}
+	}
+}
+
+/** Warns of what `drydock build` has noted beside the library. */
+void WarnOfNames(const TConfigValue<std::string>& Plugin, const std::string& Path, FConfigMessages& Messages)
+{
+	const std::string File = GetVersionNotesFile(Path);
+	std::error_code None; // no file: nothing is noted
+	const Files::file_time_type Noted = Files::last_write_time(File, None);
+	if (!None && Noted >= Files::last_write_time(Path, None))
+	{
+		const std::vector<std::string> Lines = SplitText(TryReadTextFile(File).value_or(""));
+		for (const std::string& Line : Lines)
+		{
+			Messages.Warn(WarnPluginNames, Plugin.Place,
+				Line + "; nobody named a version, so nothing is refused (drydock build --engine-minor names one)");
 		}
 	}
 }
@@ -139,9 +168,12 @@ bool Load(
 	}
 	if (Handle == nullptr)
 	{
-		const char* const Reason = dlerror();
+		const char* const Given = dlerror();
+		const std::string Reason = Given != nullptr ? Given : "unknown reason";
+		const bool bOtherHeaders = Reason.find("undefined symbol: DrydockHeaders_") != std::string::npos;
 		Messages.Error(ErrorPluginNotLoaded, Plugin.Place,
-			"the plugin cannot be loaded: " + std::string(Reason != nullptr ? Reason : "unknown reason"));
+			bOtherHeaders ? "the plugin was built with the headers of another drydock: build it again (drydock build)"
+						  : "the plugin cannot be loaded: " + Reason);
 		return false;
 	}
 	GetLoaded()[Path] = {Handle, Time};
@@ -188,6 +220,7 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 		}
 		else if (Load(Plugin, Path, Values, Messages))
 		{
+			WarnOfNames(Plugin, Path, Messages);
 			Values.PlaceActors(GetFileName(Path));
 			Loaded.Files.push_back(Path);
 		}
@@ -195,6 +228,11 @@ FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diag
 	Values.ReportUnknownClasses(Loaded.Files.size() == Config.Plugins.size());
 	Loaded.IniVariables = Values.GetVariables();
 	return Loaded;
+}
+
+std::string GetVersionNotesFile(const std::string& Library)
+{
+	return Library + ".names";
 }
 
 std::vector<std::string> FindPluginIniFiles(const std::string& Plugin)

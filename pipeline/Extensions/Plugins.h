@@ -23,6 +23,10 @@ struct FLoadedPlugins
  * Diagnostics and left out; a doubtful one is a warning there. */
 DRYDOCK_API FLoadedPlugins LoadPlugins(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
+/** Lines about names that the engine version of a library does not have: `drydock build` writes the file beside the
+ * library where nobody named the version, and a run that loads the library warns of them. */
+DRYDOCK_API std::string GetVersionNotesFile(const std::string& Library);
+
 /** The ini files that a loaded plugin was given values from. Plugin: the path of its library. */
 DRYDOCK_API std::vector<std::string> FindPluginIniFiles(const std::string& Plugin);
 

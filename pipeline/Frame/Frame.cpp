@@ -1,14 +1,17 @@
 // Renders one frame, in the order in which the engine does.
 #include "Frame/Frame.h"
 
+#include "Async/Async.h"
 #include "Chain/PostProcessingChain.h"
 #include "Effects/Effects.h"
 #include "Effects/Exposure.h"
 #include "Engine/BlendableInterface.h"
+#include "Engine/Engine.h"
 #include "Extensions/ViewExtensions.h"
 #include "Frame/BasePassTargets.h"
 #include "Frame/FamilyTarget.h"
 #include "Frame/FrameCamera.h"
+#include "Frame/RendererDelegates.h"
 #include "Misc/App.h"
 #include "Misc/CoreDelegates.h"
 #include "Modules/ModuleManager.h"
@@ -150,6 +153,7 @@ public:
 		GWorld->Tick(Inputs.Time.DeltaWorldTimeSeconds, static_cast<double>(Inputs.Time.WorldTimeSeconds));
 		SetUpFamily();
 		BuildAndRunGraph();
+		RunWaitingTasks();
 		FCoreDelegates::OnEndFrame.Broadcast();
 		Result.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
@@ -309,6 +313,7 @@ private:
 		const FFrameUniformBufferScope OwnView(
 			Inputs.Engine.bUnboundBufferEnds ? nullptr : FViewUniformShaderParameters::FTypeInfo::GetStructMetadata(),
 			Views.front()->View.ViewUniformBuffer->GetContents());
+		GEngine->GetPreRenderDelegateEx().Broadcast(GraphBuilder);
 		Extensions.PreRenderBasePass(GraphBuilder);
 
 		FPostProcessingInputs PostProcessingInputs;
@@ -324,12 +329,17 @@ private:
 			PostProcessingInputs.SceneTextures = CreateSceneTextureUniformBuffer(GraphBuilder, &SceneTextures);
 			Extensions.PostRenderBasePass(
 				GraphBuilder, NamedViews, GetBasePassTargets(SceneTextures), PostProcessingInputs.SceneTextures);
+		}
+		CallRendererDelegates(GraphBuilder, NamedViews, SceneTextures);
+		if (!Extensions.IsEmpty())
+		{
 			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
 		}
 		for (size_t Index = 0; Index < Views.size(); ++Index)
 		{
 			AddChain(GraphBuilder, NamedViews[Index], *Views[Index], SceneTextures, PostProcessingInputs);
 		}
+		GEngine->GetPostRenderDelegateEx().Broadcast(GraphBuilder);
 		Extensions.PostRender(GraphBuilder, Family, NamedViews);
 		GraphBuilder.QueueTextureExtraction(PostProcessingInputs.ViewFamilyTexture, &Final);
 		const std::vector<FDiagnostic> Notes = GetGraphNotes(GraphBuilder);
@@ -397,10 +407,10 @@ private:
 		const FContentQuestions Questions = AskContent(Deciding, Decided);
 		if (Inputs.MeasureContent && Questions.Any())
 		{
-			Decided = Extensions.IsEmpty()
+			Decided = Extensions.IsEmpty() && !HasRendererDelegates()
 						  ? GateByContent(Deciding, Inputs.MeasureContent(View.ViewRect, Questions), Decided)
 						  : NoteContentUnseen(Deciding, Decided,
-								"the scene is not looked at: a view extension may change what it holds");
+								"the scene is not looked at: a view extension or a delegate may change what it holds");
 		}
 		return CompleteReasons(Deciding, std::move(Decided));
 	}

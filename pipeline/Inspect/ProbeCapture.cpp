@@ -111,16 +111,7 @@ void ReadTexel(const FKernelTexture& Texture, const std::array<int32_t, 2>& At, 
 	Texel.X = At[0];
 	Texel.Y = At[1];
 	const uint8_t* const Address = Mip.Data + int64_t(Texel.Y) * Mip.RowPitch + int64_t(Texel.X) * Info.BytesPerTexel;
-	if (Info.Kind == ETexelKind::Uint)
-	{
-		uint32_t Values[4];
-		DecodeTexel(Texture.Storage, Address, Values);
-		std::copy_n(Values, 4, Texel.Value.begin());
-	}
-	else
-	{
-		DecodeTexel(Texture.Storage, Address, Texel.Value.data());
-	}
+	DecodeTexel(Texture.Storage, Address, Texel.Value.data());
 }
 
 /** A volume has no pixel. */

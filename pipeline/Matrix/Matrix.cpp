@@ -128,25 +128,6 @@ FVersionMatrix PlanMatrix(const FMatrixRequest& Request)
 	return Matrix;
 }
 
-/** The compiler's messages on all sources, including those that were up to date. */
-std::string RememberSteps(const Files::path& BuildFolder)
-{
-	const std::string Kept = (BuildFolder / "steps.log").string();
-	std::vector<FBuildStep> Before = ReadBuildSteps(TryReadTextFile(Kept).value_or(""));
-	std::erase_if(Before,
-		[&BuildFolder](const FBuildStep& Step)
-		{
-			std::error_code Error; // the source of a step without output no longer exists
-			const std::string Made = Step.Name.substr(Step.Name.find_last_of(' ') + 1);
-			return !Files::exists(BuildFolder / "cmake" / Made, Error);
-		});
-	const std::vector<FBuildStep> Now =
-		ReadBuildSteps(TryReadTextFile((BuildFolder / "build.log").string()).value_or(""));
-	const std::string All = WriteBuildSteps(MergeBuildSteps(Before, Now));
-	WriteTextFile(Kept, All);
-	return All;
-}
-
 /** A plugin that does not compile is a finding; what else is wrong is thrown. */
 void BuildOnce(const FPluginBuild& Build, FMatrixBuild& Made)
 {
@@ -181,7 +162,7 @@ FMatrixBuild BuildVersion(
 	Build.Compiler = Request.Compiler;
 	Build.NumJobs = NumJobs;
 	BuildOnce(Build, Made);
-	const std::string Log = TryReadTextFile(Build.BuildFolder + "/build.log").value_or("");
+	const std::string Log = RememberBuildSteps(Build.BuildFolder);
 	Made.InEngine = FindVersionMessages(Log);
 	std::erase_if(Made.Notes, [&Made](const std::string& Note) { return Contains(Made.InEngine, Note); });
 	if (!Made.bBuilt && !Made.InEngine.empty())
@@ -191,7 +172,7 @@ FMatrixBuild BuildVersion(
 		Made.FirstError.reset();
 		BuildOnce(Build, Made);
 	}
-	const std::string Steps = RememberSteps(Build.BuildFolder);
+	const std::string Steps = RememberBuildSteps(Build.BuildFolder);
 	const auto Convert = [](const FCompilerMessage& Message)
 	{
 		return FMatrixMessage{.File = Message.File, .Line = Message.Line, .Text = Message.Text};

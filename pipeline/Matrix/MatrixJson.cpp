@@ -91,7 +91,10 @@ void WriteRow(FJsonWriter& Writer, const FMatrixRow& Row)
 	Writer.Members({{"engine", DescribeVersion(Row.Minor)}, {"builds", Row.Build.bBuilt}});
 	WriteFirstError(Writer, Row.Build.FirstError);
 	WriteMessages(Writer, "compilerWarnings", Row.Build.Warnings);
-	WriteTexts(Writer, "inEngine", Row.Build.InEngine);
+	Writer.Key("inEngine").BeginObject();
+	Writer.Member("answer", FormatInEngine(Row.Build));
+	WriteTexts(Writer, "messages", Row.Build.InEngine);
+	Writer.EndObject();
 	WriteTexts(Writer, "notes", Row.Build.Notes);
 	Writer.Members({{"library", Row.Build.Library}, {"log", Row.Build.Log}});
 	WriteRun(Writer, Row.Run);

@@ -30,25 +30,6 @@ std::string FormatBuild(const FMatrixBuild& Build)
 	return Build.bBuilt ? "yes" : FormatPlace(Build.FirstError.value_or(FMatrixMessage()));
 }
 
-/** "yes", "deprecated: NAME", "uncertain: NAME" or "no: NAME", of the first name; what lacks goes before the others. */
-std::string FormatInEngine(const FMatrixBuild& Build)
-{
-	std::string Text = Build.bBuilt ? "yes" : Nothing;
-	for (const std::string& Message : Build.InEngine)
-	{
-		static const std::regex Parts(" (does not have|deprecates) (.*?)(?:, which|: use)");
-		std::smatch Match;
-		std::regex_search(Message, Match, Parts);
-		const bool bLacks = Match[1] == "does not have";
-		if (bLacks && !Message.ends_with("(uncertain)"))
-		{
-			return "no: " + Match[2].str();
-		}
-		Text = &Message == &Build.InEngine[0] ? (bLacks ? "uncertain: " : "deprecated: ") + Match[2].str() : Text;
-	}
-	return Text;
-}
-
 std::string FormatCompilerWarnings(const FMatrixBuild& Build)
 {
 	const size_t Count = Build.Warnings.size();
@@ -156,6 +137,24 @@ FVersionGroups CollectTexts(const FVersionMatrix& Matrix)
 }
 
 } // namespace
+
+std::string FormatInEngine(const FMatrixBuild& Build)
+{
+	std::string Text = Build.bBuilt ? "yes" : Nothing;
+	for (const std::string& Message : Build.InEngine)
+	{
+		static const std::regex Parts(" (does not have|deprecates) (.*?)(?:, which|: use)");
+		std::smatch Match;
+		std::regex_search(Message, Match, Parts);
+		const bool bLacks = Match[1] == "does not have";
+		if (bLacks && !Message.ends_with("(uncertain)"))
+		{
+			return "no: " + Match[2].str();
+		}
+		Text = &Message == &Build.InEngine[0] ? (bLacks ? "uncertain: " : "deprecated: ") + Match[2].str() : Text;
+	}
+	return Text;
+}
 
 std::string FormatMatrix(const FVersionMatrix& Matrix, int Width)
 {

@@ -15,6 +15,7 @@ enum EObjectError
 	WarnIniFile = 2125,           // an ini file that cannot be read, or is not UTF-8
 	WarnIniValue = 2126,          // a class, property or value of an ini file that is not taken
 	NoteIniVariable = 2127,       // a console variable of an ini file that drydock and the plugin do not have
+	NoteAssetUnused = 2134,       // a render target of "assets" that nothing asks for
 };
 
 } // namespace Drydock

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Config/Config.h"
-#include "HAL/IConsoleManager.h"
+#include "Objects/IniValues.h"
 
 #include <set>
 #include <string>
@@ -12,21 +12,6 @@
 
 namespace Drydock
 {
-
-struct FReflectedStruct;
-
-/** A console variable that an ini file sets. */
-struct FIniVariable
-{
-	std::string Name;
-	std::string Value;
-	EConsoleVariableFlags SetBy = ECVF_SetBySystemSettingsIni;
-	std::string File;
-	int Line = 0;
-};
-
-/** Config/Default*.ini of a plugin that is loaded, by folder and name; of another none. Library: its file name. */
-std::vector<std::string> FindIniFiles(const std::string& Library);
 
 /** The values of one run. */
 class DRYDOCK_API FObjectValues
@@ -52,7 +37,6 @@ public:
 	const std::vector<FIniVariable>& GetVariables() const { return Variables; }
 
 private:
-	void GiveIniFile(const std::string& Library, const std::string& Path);
 	void GiveObjects(const std::string& Library);
 
 	const FConfig& Config;
@@ -61,8 +45,5 @@ private:
 	std::set<std::string> Taken; // keys of "objects" that some plugin has
 	std::vector<std::string> ClassNames;
 };
-
-/** Sets the variables; those that cannot be set are reported. */
-DRYDOCK_API void ApplyIniVariables(const std::vector<FIniVariable>& Variables, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

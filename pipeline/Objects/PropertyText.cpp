@@ -2,6 +2,7 @@
 #include "Objects/PropertyText.h"
 
 #include "PostProcessSettingsTextTree.h"
+#include "UObject/ReflectionMake.h"
 
 #include <charconv>
 #include <strings.h>

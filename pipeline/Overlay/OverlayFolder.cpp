@@ -3,7 +3,7 @@
 
 #include "Overlay/CppText.h"
 #include "Overlay/OverlayErrors.h"
-#include "Patch/PluginBuild.h"
+#include "Patch/PluginErrors.h"
 #include "TextTools.h"
 #include "Text/TextFile.h"
 

@@ -5,6 +5,7 @@
 #include "RangeTools.h"
 #include "Text/TextTable.h"
 
+#include <algorithm>
 #include <regex>
 
 namespace Drydock
@@ -12,6 +13,8 @@ namespace Drydock
 
 namespace
 {
+
+constexpr size_t MostNameColumns = 48;
 
 struct FSentence
 {
@@ -24,6 +27,7 @@ struct FSentence
 
 /** The sentences of g++ 12 and clang 14, whose quotes are all '. The first one that fits counts. */
 constexpr FSentence Sentences[] = {
+	{"base class", "$1", "^no base class '([^']+)'"},
 	{"member", "$1::$2", DRYDOCK_TYPE " has no member named '([^']+)'"},
 	{"member", "$2::$1", "^'([^']+)' is not a member of " DRYDOCK_TYPE},
 	{"member", "$2::$1", "^no (?:member|type) named '([^']+)' in " DRYDOCK_TYPE},
@@ -38,7 +42,7 @@ constexpr FSentence Sentences[] = {
 	{"name", "$1", "^use of undeclared (?:identifier )?'([^']+)'"},
 	{"header", "$1", "^([^ ]+): No such file or directory"},
 	{"header", "$1", "^'([^']+)' file not found"},
-	{"override", "$1", "^'([^']+)' marked '(?:override|final)',? but does not override"},
+	{"override", "$1", "^'(?:[^'(]* )?([^' (]+)[(][^']*' marked '(?:override|final)',? but does not override"},
 	{"arguments", "$1", "^no matching (?:member )?function for call to '([^']+)'"},
 	{"definition", "$1", "^undefined reference to '([^']+)'"},
 };
@@ -59,14 +63,14 @@ std::string MakePlainQuotes(std::string Text)
 /** The header taken as empty that has the name by its own name, in a sentence; empty: none. */
 std::string FindEmptyHeader(const std::string& Name, const std::vector<std::string>& Notes)
 {
-	static const std::regex Empty("^there is no (.*/)?([A-Za-z0-9_]+)[.]h here");
+	static const std::regex Empty("^there is no (.*/)?([A-Za-z0-9_]+)[.](h|inl) here");
 	for (const std::string& Note : Notes)
 	{
 		std::smatch Match;
 		if (std::regex_search(Note, Match, Empty) &&
 			std::regex_search(Name, std::regex("(^|::)[A-Z]?" + Match[2].str() + "(::|$)")))
 		{
-			return Match.format("drydock has nothing of $1$2.h");
+			return Match.format("neither drydock nor the plugin has $1$2.$3");
 		}
 	}
 	return "";
@@ -110,6 +114,7 @@ std::vector<FMissingName> FindMissingNames(const std::vector<FCompilerMessage>& 
 			Known->Instead = Suggestion.format("did you mean $1?");
 		}
 	}
+	std::ranges::stable_partition(Names, [](const FMissingName& Name) { return Name.Kind == "base class"; });
 	return Names;
 }
 
@@ -118,7 +123,8 @@ std::string FormatMissingNames(const std::vector<FMissingName>& Names, const std
 	FTextTable Table{{{}, {}, {ETextColumn::Number}, {}, {}}, {{"missing", "kind", "uses", "first place", ""}}};
 	for (const FMissingName& Name : Names)
 	{
-		Table.Rows.push_back({Name.Name, Name.Kind, std::to_string(Name.Count), Name.Place, Name.Instead});
+		Table.Rows.push_back({ShortenMiddle(Name.Name, MostNameColumns), Name.Kind, std::to_string(Name.Count),
+			Name.Place, Name.Instead});
 	}
 	return Table.Format(0, Indent);
 }

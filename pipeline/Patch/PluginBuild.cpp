@@ -4,12 +4,12 @@
 #include "ChildProcess.h"
 #include "Diagnostics.h"
 #include "InstallPaths.h"
+#include "Patch/BuildLog.h"
 #include "Patch/EngineApi.h"
-#include "Patch/MissingNames.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PatchName.h"
 #include "Patch/PluginBuildErrors.h"
-#include "RangeTools.h"
+#include "Patch/PluginErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 #include "TextTools.h"
@@ -30,7 +30,6 @@ namespace
 namespace Files = std::filesystem;
 
 constexpr int DefaultEngineMinor = 4;
-constexpr size_t MostErrorLines = 12;
 const std::string ProjectMark = "# Made by drydock build.";
 const std::string LogMark = "Written by drydock build.\n";
 
@@ -63,8 +62,9 @@ size_t SkipPast(const std::string& Text, size_t At, std::string_view Wanted)
 																				   : std::string::npos;
 }
 
-/** The x of the first "5.x" that one of the keys has in a file; 0: none. */
-int FindVersion(const Files::path& File)
+/** The x of the first version that one of the keys has in a file and that begins with Major, a quote and "5."; none:
+ * there is no such version. */
+std::optional<int> FindVersion(const Files::path& File, std::string_view Major)
 {
 	const std::string Text = File.empty() ? std::string() : TryReadTextFile(File.string()).value_or("");
 	for (size_t Key = Text.find("\"Engine"); Key != std::string::npos; Key = Text.find("\"Engine", Key + 1))
@@ -73,7 +73,7 @@ int FindVersion(const Files::path& File)
 		{
 			size_t At = SkipPast(Text, Key, Name);
 			At = At != std::string::npos ? SkipPast(Text, At, ":") : At;
-			At = At != std::string::npos ? SkipPast(Text, At, "\"5.") : At;
+			At = At != std::string::npos ? SkipPast(Text, At, Major) : At;
 			const std::string Digits = At != std::string::npos ? Text.substr(At, 2) : "";
 			if (!Digits.empty() && std::isdigit(static_cast<unsigned char>(Digits[0])) != 0)
 			{
@@ -81,7 +81,30 @@ int FindVersion(const Files::path& File)
 			}
 		}
 	}
-	return 0;
+	return std::nullopt;
+}
+
+/** FindVersion in the .uplugin of a folder, or else in a .uproject above it. */
+std::optional<int> FindVersionOf(const std::string& Folder, std::string_view Major)
+{
+	const Files::path Plugin = Files::absolute(Folder).lexically_normal();
+	std::optional<int> Found = FindVersion(FindByExtension(Plugin, ".uplugin"), Major);
+	Files::path Above = Plugin;
+	for (int Level = 0; !Found && Level < 4 && Above.has_relative_path(); ++Level, Above = Above.parent_path())
+	{
+		Found = FindVersion(FindByExtension(Above, ".uproject"), Major);
+	}
+	return Found;
+}
+
+/** "it is for engine 4.26, and drydock knows 5.1 to 5.8; " where the plugin names such a version; else empty. */
+std::string DescribeOldEngine(const std::string& Folder)
+{
+	std::optional<int> Minor = FindVersionOf(Folder, "\"5.");
+	const char* const Major = Minor ? "5." : "4.";
+	Minor = Minor ? Minor : FindVersionOf(Folder, "\"4.");
+	const bool bOld = Minor && (*Major == '4' || *Minor == 0);
+	return bOld ? "it is for engine " + (Major + std::to_string(*Minor)) + ", and drydock knows 5.1 to 5.8; " : "";
 }
 
 /** A name for CMake's target and the library's file. */
@@ -149,58 +172,6 @@ std::string RunTool(const std::vector<std::string>& Arguments, int TimeLimitSeco
 	return Result.Output + (Result.bTimedOut ? Result.Describe(TimeLimitSeconds) + "\n" : std::string());
 }
 
-/** Lines about replacements for the engine's names that drydock does not have. */
-std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others)
-{
-	std::string Advice;
-	for (const char* const Name : {"RegisterPostOpaqueRenderDelegate", "RegisterOverlayRenderDelegate"})
-	{
-		if (std::ranges::any_of(Missing, [Name](const FMissingName& Item) { return Item.Name.ends_with(Name); }))
-		{
-			Advice += "  drydock does not have " + std::string(Name) +
-					  ": add the pass in PrePostProcessPass_RenderThread of a view extension "
-					  "(FSceneViewExtensionBase)\n";
-		}
-	}
-	const bool bGraphTexture = std::ranges::any_of(Others,
-		[](const FCompilerMessage& Error) {
-			return Error.Text.find("FRDGTexture") != std::string::npos &&
-				   Error.Text.find("FRHITexture") != std::string::npos;
-		});
-	return Advice + (bGraphTexture ? "  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
-									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)\n"
-								   : "");
-}
-
-/** The end of a message: missing names as a table, other errors, what was left out. */
-std::string DescribeErrors(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others,
-	const std::vector<std::string>& Notes)
-{
-	const bool bOne = Missing.size() == 1;
-	std::string Text = "does not compile:";
-	if (!Missing.empty())
-	{
-		Text += " " + std::to_string(Missing.size()) + (bOne ? " name is" : " names are") + " missing here\n" +
-				FormatMissingNames(Missing, "  ") +
-				(Others.empty() ? "" : "  other errors, which may follow from these:\n");
-	}
-	Text += Missing.empty() ? "\n" : "";
-	for (size_t Index = 0; Index < std::min(Others.size(), MostErrorLines); ++Index)
-	{
-		const FCompilerMessage& Other = Others[Index];
-		Text += "  " + Other.File + (Other.Line > 0 ? ":" + std::to_string(Other.Line) : "") + ": " + Other.Text + "\n";
-	}
-	if (Others.size() > MostErrorLines)
-	{
-		Text += "  and " + std::to_string(Others.size() - MostErrorLines) + " more\n";
-	}
-	for (const std::string& Note : Notes)
-	{
-		Text += Note.starts_with("left out") ? "  " + Note + "\n" : "";
-	}
-	return Text;
-}
-
 /** CMake's own message, without its decoration. */
 std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 {
@@ -233,24 +204,9 @@ std::string TakeRefusal(const std::string& Output, const std::string& LogFile)
 {
 	const std::string LogFile = Build.BuildFolder + "/build.log";
 	WriteTextFile(LogFile, Log);
-	std::vector<FCompilerMessage> Others;
-	std::vector<FCompilerMessage> Ignored;
-	const auto Find = [&](const std::string& Text, std::vector<FCompilerMessage>& OutOthers)
-	{
-		return FindMissingNames(ReadCompilerMessages(Text, ECompilerMessage::Error, Build.Folder), Notes, OutOthers);
-	};
-	std::vector<FMissingName> Missing = Find(Log, Others);
-	const std::vector<FMissingName> JoinedMissing = Find(JoinedLog, Ignored);
-	if (!JoinedMissing.empty())
-	{
-		std::erase_if(Missing,
-			[&](const FMissingName& Name) { return !Contains(JoinedMissing, Name.Name, &FMissingName::Name); });
-	}
-	// g++ names a base class that is a template in the source line that it quotes, not in the error.
-	const std::string Graph = AdviseOnCompositionGraph(Log);
 	Fail(ErrorPluginNotCompiled, Build.Folder,
-		DescribeErrors(Missing, Others, Notes) + AdviseOnMissingNames(Missing, Others) +
-			(Graph.empty() ? "" : "  " + Graph + "\n") + "  full log: " + LogFile);
+		DescribeOldEngine(Build.Folder) + DescribePluginErrors(Build.Folder, Notes, Log, JoinedLog) +
+			"  full log: " + LogFile);
 }
 
 struct FAttempt
@@ -336,37 +292,9 @@ FAttempt Attempt(const FPluginBuild& Build, const std::string& Package, std::vec
 
 } // namespace
 
-std::string AdviseOnCompositionGraph(const std::string& Text)
-{
-	for (const char* const Name : {"TRenderingCompositePassBase", "FRenderingCompositePass", "FPostprocessContext"})
-	{
-		if (Text.find(Name) != Text.npos)
-		{
-			return std::string(Name) +
-				   " belongs to UE4's composition graph, which Unreal 5 does not have: write a function that adds the "
-				   "pass with an FRDGBuilder and takes and returns an FScreenPassTexture, as in "
-				   "docs/articles/red-post-process.md";
-		}
-	}
-	return "";
-}
-
 int FindEngineMinor(const std::string& Folder)
 {
-	const Files::path Plugin = Files::absolute(Folder).lexically_normal();
-	if (const int Own = FindVersion(FindByExtension(Plugin, ".uplugin")))
-	{
-		return Own;
-	}
-	Files::path Above = Plugin;
-	for (int Level = 0; Level < 4 && Above.has_relative_path(); ++Level, Above = Above.parent_path())
-	{
-		if (const int OfProject = FindVersion(FindByExtension(Above, ".uproject")))
-		{
-			return OfProject;
-		}
-	}
-	return 0;
+	return FindVersionOf(Folder, "\"5.").value_or(0);
 }
 
 std::string FindPluginName(const std::string& Folder)
@@ -482,6 +410,24 @@ FBuiltPlugin BuildPlugin(FPluginBuild Build)
 	}
 	Built.Library = Build.BuildFolder + "/cmake/lib" + Build.Name + ".so";
 	return Built;
+}
+
+std::string RememberBuildSteps(const Files::path& BuildFolder)
+{
+	const std::string Kept = (BuildFolder / "steps.log").string();
+	std::vector<FBuildStep> Before = ReadBuildSteps(TryReadTextFile(Kept).value_or(""));
+	std::erase_if(Before,
+		[&BuildFolder](const FBuildStep& Step)
+		{
+			std::error_code Error; // the source of a step without output no longer exists
+			const std::string Made = Step.Name.substr(Step.Name.find_last_of(' ') + 1);
+			return !Files::exists(BuildFolder / "cmake" / Made, Error);
+		});
+	const std::vector<FBuildStep> Now =
+		ReadBuildSteps(TryReadTextFile((BuildFolder / "build.log").string()).value_or(""));
+	const std::string All = WriteBuildSteps(MergeBuildSteps(Before, Now));
+	WriteTextFile(Kept, All);
+	return All;
 }
 
 } // namespace Drydock

@@ -40,10 +40,6 @@ struct FBuiltPlugin
  * version. */
 DRYDOCK_API int FindEngineMinor(const std::string& Folder);
 
-/** A sentence about the first class of UE4's composition graph that a text names, with what to write in its place;
- * empty: the text names none. It begins with the class. */
-DRYDOCK_API std::string AdviseOnCompositionGraph(const std::string& Text);
-
 /** Name of the library that is built from a plugin's folder: the .uplugin's name, else the folder's. */
 DRYDOCK_API std::string FindPluginName(const std::string& Folder);
 
@@ -53,5 +49,9 @@ DRYDOCK_API std::string MakePluginProject(const FPluginBuild& Build, const std::
 /** Builds it. Throws FError: exit code 2 where the folder holds no plugin, a tool is missing or the plugin does not
  * compile (with the first errors), 3 where nothing can be written. */
 DRYDOCK_API FBuiltPlugin BuildPlugin(FPluginBuild Build);
+
+/** The compiler's messages on all sources, including those that were up to date: those of build.log, and for sources
+ * that it did not compile those of the builds before, which steps.log keeps. */
+DRYDOCK_API std::string RememberBuildSteps(const std::filesystem::path& BuildFolder);
 
 } // namespace Drydock

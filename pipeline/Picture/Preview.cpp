@@ -54,6 +54,20 @@ FColor ToLinear(FColor Color, EDisplayOutputFormat OutputDevice)
 	}
 }
 
+bool IsSrgb(EDisplayOutputFormat OutputDevice)
+{
+	return OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
+		   OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping;
+}
+
+/** The same as of a double: 255 times a float, and half of 1 more, are exact in a double where they are not far
+ * below 1.
+ */
+uint8_t ToByte(float Value)
+{
+	return static_cast<uint8_t>((Value > 0.0f ? std::min(static_cast<double>(Value), 1.0) : 0.0) * 255.0 + 0.5);
+}
+
 uint8_t ToByte(double Value)
 {
 	return ToInteger<uint8_t>(std::round((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0));
@@ -112,8 +126,7 @@ void WritePreview(const std::string& Path, const TPicture& Picture)
 
 std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisplayOutputFormat OutputDevice)
 {
-	if (OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
-		OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping)
+	if (IsSrgb(OutputDevice))
 	{
 		return Color;
 	}
@@ -122,20 +135,35 @@ std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisp
 	return Shown;
 }
 
+void MakeDisplayRow(
+	const float* Row, int Width, int NumChannels, EDisplayOutputFormat OutputDevice, uint8_t* Bytes, int Step)
+{
+	if (IsSrgb(OutputDevice))
+	{
+		for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
+		{
+			for (int Channel = 0; Channel < 3; ++Channel)
+			{
+				Bytes[Channel] = ToByte(Row[Channel]);
+			}
+		}
+		return;
+	}
+	for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
+	{
+		std::ranges::transform(MakeDisplayColor({double(Row[0]), double(Row[1]), double(Row[2])}, OutputDevice), Bytes,
+			[](double Value) { return ToByte(Value); });
+	}
+}
+
 void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayOutputFormat OutputDevice)
 {
-	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
-	std::vector<float> Row(static_cast<size_t>(Picture.Width) * NumChannels);
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
 	WritePngRows(Path, Picture.Width, Picture.Height, 3, EPngEffort::Quick,
 		[&](int Y, uint8_t* Bytes)
 		{
 			Picture.ReadRow(Y, Row.data());
-			for (size_t Pixel = 0; Pixel < Row.size(); Pixel += NumChannels)
-			{
-				const FColor Shown = MakeDisplayColor(
-					{double(Row[Pixel]), double(Row[Pixel + 1]), double(Row[Pixel + 2])}, OutputDevice);
-				Bytes = std::ranges::transform(Shown, Bytes, ToByte).out;
-			}
+			MakeDisplayRow(Row.data(), Picture.Width, Picture.NumChannels, OutputDevice, Bytes, 3);
 		});
 }
 

@@ -1,10 +1,13 @@
 // `drydock build`: a plugin's folder, as the engine has it, becomes a shared object that a config can name.
 #include "Diagnostics.h"
+#include "Extensions/Plugins.h"
+#include "Patch/EngineApi.h"
 #include "Patch/PluginBuild.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
 
 #include <filesystem>
 #include <memory>
@@ -39,8 +42,16 @@ std::string MakeBuildText(const FBuiltPlugin& Built)
 int Build(const FBuildOptions& Options)
 {
 	FPluginBuild Named = Options.Build;
-	Named.EngineNames = Named.EngineMinor != 0 ? 2 : 0; // a version that was asked for is held to
+	const bool bNamed = Named.EngineMinor != 0;
+	Named.EngineNames = bNamed ? 2 : 1; // a version that was asked for is held to
 	const FBuiltPlugin Built = BuildPlugin(Named);
+	std::string Lines; // a run of the plugin repeats them
+	const std::filesystem::path Folder = std::filesystem::path(Built.Library).parent_path().parent_path();
+	for (const std::string& Message : FindVersionMessages(RememberBuildSteps(Folder)))
+	{
+		Lines += !bNamed && Message.find(" does not have ") != std::string::npos ? Message + "\n" : "";
+	}
+	WriteTextFile(GetVersionNotesFile(Built.Library), Lines);
 	PrintResult((Options.bJson ? MakeBuildJson : MakeBuildText)(Built), Options.bJson);
 	return ExitDone;
 }

@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 #include "DispatchBackend.h"
+#include "DispatchReuse.h"
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
@@ -260,6 +261,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	TakeUncalledReplacements(); // of the frame before
 	FFrameResult Frame = CallWithWarnings([&] { return RenderViewFamily(Inputs); }, Result.Graph.Warnings);
 	AddNewDiagnostics(Result.Diagnostics, Observer.GetUnwrittenReads());
+	AddNewDiagnostics(Result.Diagnostics, FRHICommandListExecutor::GetImmediateCommandList().TakeRemarks());
 	const FFrameViewResult& View = Frame.Views[0];
 	for (const FFrameViewResult& Other : Frame.Views)
 	{
@@ -294,6 +296,7 @@ void RunGraph(const FRunOptions& Options, const FRunSetup& Setup, FSceneFile& Sc
 	Result.ViewStates = std::move(Frame.ViewStates);
 	Result.SceneLinear = std::move(Frame.SceneLinear);
 	Result.Final = std::move(Frame.Final);
+	Observer.KeepAssets();
 }
 
 /** A run before its policies are applied. */
@@ -310,6 +313,7 @@ FRendered RenderScene(const FRunOptions& Options, const FRunSetup& Setup, const 
 	Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
 	FRendered Rendered{MakeResult(Setup, Scene), {}};
 	FRunResult& Result = Rendered.Result;
+	Scene.UseKeptTextures(MakePackContext(Setup.Config, Result.ViewRect));
 	RunGraph(Options, Setup, Scene, Before, Result);
 	Result.Channels = Scene.GetChannels();
 	for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
@@ -394,6 +398,11 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 	Setup->BeginFrame(Frame);
 	SetPreExposure(Setup->Config, Setup->Settings.ExposureScale, Last);
 	const double SetupMs = MillisecondsSince(FrameBegin);
+	const FScopedReuse Reuse(Options.ReuseCache.get());
+	if (Options.ReuseCache)
+	{
+		Options.ReuseCache->BeginFrame();
+	}
 	FRendered Rendered = Render(Options, *Setup, {Last, Caches});
 	FRunResult& Result = Rendered.Result;
 	if (Options.bExecute)

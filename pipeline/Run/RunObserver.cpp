@@ -2,6 +2,9 @@
 #include "Run/RunObserver.h"
 
 #include "Budget/RunOptions.h"
+#include "Engine/TextureRenderTarget2D.h"
+#include "Objects/ConfigAssets.h"
+#include "Objects/ObjectErrors.h"
 #include "Picture/TextureImage.h"
 #include "Run/PassLook.h"
 #include "Run/PassValues.h"
@@ -52,6 +55,11 @@ std::string FingerprintTexture(FRHITexture& Texture)
 
 } // namespace
 
+FScenePackContext MakePackContext(const FConfig& Config, const FIntRect& ViewRect)
+{
+	return {static_cast<float>(Config.View.PreExposure.Value), ViewRect.Size(), Config.Scene.Units};
+}
+
 FRunObserver::FRunObserver(
 	const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
 	: Options(InOptions)
@@ -70,6 +78,13 @@ void FRunObserver::OnGraphCompiled(const FRDGCompiledGraph& Graph)
 		if (!Pass.bCulled && !Pass.bIsSentinel)
 		{
 			ToExecute.push_back(static_cast<size_t>(Pass.Index));
+		}
+		for (const FRDGUse& Use : Pass.Uses)
+		{
+			if (Use.IsWrite())
+			{
+				Scene.ForgetKept(Graph.Resources[static_cast<size_t>(Use.Resource)].Name);
+			}
 		}
 	}
 	ReportProgress();
@@ -108,8 +123,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
-	Scene.Load(Needed,
-		{static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(), Setup.Config.Scene.Units});
+	Scene.Load(Needed, MakePackContext(Setup.Config, Result.ViewRect));
 	Result.Times.Load += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	ReportAbsent(Loads);
 	for (const FNeededSceneTexture& Texture : Needed)
@@ -300,6 +314,26 @@ void FRunObserver::KeepTexture(int PassIndex, const std::string& Pass, const std
 		}
 		Dump.Channels = GetChannelNames(Dump.Image.NumChannels);
 		Result.Dumps.push_back(std::move(Dump));
+	}
+}
+
+void FRunObserver::KeepAssets()
+{
+	for (const FAssetTarget& Asset : GetAssetTargets(Setup.Config))
+	{
+		const FTextureRenderTargetResource* const Resource =
+			Asset.Target != nullptr ? Asset.Target->GetRenderTargetResource() : nullptr;
+		if (Resource == nullptr)
+		{
+			Result.Diagnostics.push_back({.Severity = ESeverity::Note,
+				.Code = NoteAssetUnused,
+				.Message = "nothing asks for the render target " + Asset.Name,
+				.Where = "/assets/" + Asset.Name});
+			continue;
+		}
+		FRHITexture& Texture = *Resource->GetRenderTargetTexture();
+		KeepTexture(
+			static_cast<int>(Result.Graph.Passes.size()) - 1, "Assets", Asset.Name, Texture, GetWholeMips(Texture));
 	}
 }
 

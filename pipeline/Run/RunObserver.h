@@ -14,6 +14,9 @@ namespace Drydock
 struct FRunOptions;
 struct FRunSetup;
 
+/** The context of a config's scene textures. ViewRect: of all views. */
+FScenePackContext MakePackContext(const FConfig& Config, const FIntRect& ViewRect);
+
 /** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. All outlive it. */
 class FRunObserver final : public IRDGObserver
 {
@@ -30,6 +33,9 @@ public:
 	void OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads) override;
 	void OnPassExecuted(int32_t PassIndex, const FRDGPass& Pass, double Milliseconds, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures) override;
+
+	/** Keeps the render targets of the config's "assets" as they are after the frame; notes those that nothing drew. */
+	void KeepAssets();
 
 	const std::vector<FDiagnostic>& GetUnwrittenReads() const { return Unwritten.GetDiagnostics(); }
 

@@ -26,6 +26,17 @@ export function el<T extends Element = HTMLElement>(
 	return element as unknown as T;
 }
 
+const filled = new WeakMap<Element, string>();
+
+/** Fills an element anew where the data of its children changed; else focus and what is open stay. */
+export function refill(box: Element, data: unknown, make: () => Node[]): void {
+	const key = JSON.stringify(data);
+	if (filled.get(box) !== key) {
+		filled.set(box, key);
+		box.replaceChildren(...make());
+	}
+}
+
 export function section(id: string, title: string, note: string, ...children: Child[]): HTMLElement {
 	return el("section", { id, "aria-labelledby": id + "-title" },
 		el("header", {}, el("h2", { id: id + "-title" }, title), note ? el("p", { class: "note" }, note) : null),
@@ -54,9 +65,22 @@ export interface Column<T> {
 export function table<T>(columns: Column<T>[], rows: T[], attributes: (row: T) => Record<string, Value> = () => ({})): HTMLElement {
 	const css = (column: Column<T>) => ({ class: [column.number ? "number" : "", column.wide ? "wide" : ""].join(" ").trim() || undefined });
 	return el("div", { class: "table" }, el("table", {},
-		el("thead", {}, el("tr", {}, columns.map((column) => el("th", { scope: "col", ...css(column) }, column.title)))),
+		el("thead", {}, el("tr", {}, columns.map((column) => el(column.title ? "th" : "td", { scope: column.title ? "col" : undefined, ...css(column) }, column.title)))),
 		el("tbody", {}, rows.map((row) => el("tr", attributes(row),
 			columns.map((column) => el("td", { ...css(column), "data-title": column.title }, ...[column.cell(row)].flat())))))));
+}
+
+function isDark(): boolean {
+	const chosen = document.documentElement.dataset.theme;
+	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+/** The button for light or dark. */
+export function makeTheme(after: () => void): HTMLElement {
+	return el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
+		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+		after();
+	} }, "Light / dark");
 }
 
 export function installTips(): void {

@@ -16,6 +16,7 @@ test("the table has a row for each version, and says what it comes to", async ()
 		assert.equal(await page.locator("#table tbody tr").count(), versions.length);
 		assert.ok((await page.textContent("#answer-worked")).includes(data.matrix.summary));
 		assert.equal(await page.textContent(`[data-cell="${second.engine} warnings"]`), "DD2070");
+		assert.equal(await page.textContent(`[data-cell="${second.engine} engine"]`), second.inEngine.answer);
 	});
 });
 

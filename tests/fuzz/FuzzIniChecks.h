@@ -5,6 +5,7 @@
 #include "FuzzChecks.h"
 #include "Objects/IniText.h"
 #include "Objects/PropertyText.h"
+#include "UObject/ReflectionMake.h"
 
 #include <algorithm>
 #include <string>

@@ -6,7 +6,11 @@
 #include "Subsystems/EngineSubsystem.h"
 #include "UObject/Object.h"
 
+class FRDGBuilder;
 class FSceneViewExtensions;
+
+DECLARE_MULTICAST_DELEGATE_OneParam(FPreRenderDelegateEx, FRDGBuilder&);
+DECLARE_MULTICAST_DELEGATE_OneParam(FPostRenderDelegateEx, FRDGBuilder&);
 
 /** The action of GetWorldFromContextObject when an object has no world. */
 enum class EGetWorldErrorMode
@@ -45,7 +49,15 @@ public:
 	/** Null: there is no window. */
 	UGameViewportClient* GameViewport = nullptr;
 
+	/** Called in each frame's graph: before its passes, and behind its post-processing. */
+	FPreRenderDelegateEx& GetPreRenderDelegateEx() { return PreRenderDelegateEx; }
+	FPostRenderDelegateEx& GetPostRenderDelegateEx() { return PostRenderDelegateEx; }
+
 	UWorld* GetCurrentPlayWorld(UWorld* = nullptr) const { return GWorld; }
+
+private:
+	FPreRenderDelegateEx PreRenderDelegateEx;
+	FPostRenderDelegateEx PostRenderDelegateEx;
 };
 
 /** Valid from the moment the library is loaded. */

@@ -4,6 +4,7 @@
 
 #include "CoreMinimal.h"
 #include "Engine/EngineBaseTypes.h"
+#include "RHIFeatureLevel.h"
 #include "Subsystems/Subsystem.h"
 
 class AActor;
@@ -61,6 +62,8 @@ public:
 	EWorldType::Type WorldType = EWorldType::Game;
 	/** Never null. */
 	FSceneInterface* Scene;
+	ERHIFeatureLevel::Type FeatureLevel = ERHIFeatureLevel::SM5;
+	ERHIFeatureLevel::Type GetFeatureLevel() const { return FeatureLevel; }
 
 	bool IsGameWorld() const { return WorldType == EWorldType::Game; }
 	bool IsPreviewWorld() const { return false; }
@@ -127,6 +130,8 @@ public:
 		}
 		Placed.push_back(SpawnActor<T>());
 	}
+	/** Ours: an actor of a level, without components. */
+	AActor* PlaceEmptyActor();
 	/** Ours: ends the play of those. */
 	void RemovePlacedActors();
 	/** Ours: before a frame; the seconds since the frame before, and since the world began. Actors and components tick

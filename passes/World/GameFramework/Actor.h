@@ -60,18 +60,46 @@ public:
 	{
 		return SetActorLocationAndRotation(GetActorLocation(), Rotation);
 	}
+	/** The root component's. */
+	FTransform GetActorTransform() const
+	{
+		return RootComponent ? RootComponent->GetComponentTransform() : FTransform();
+	}
 	FRotator GetActorRotation() const
 	{
 		return RootComponent ? RootComponent->GetComponentRotation() : FRotator(0.0, 0.0, 0.0);
 	}
+	/** Turned about its own axes, and moved along them. False without a root component. */
+	bool AddActorLocalRotation(const FRotator& Delta)
+	{
+		return SetActorRotation((GetActorRotation().Quaternion() * Delta.Quaternion()).Rotator());
+	}
+	bool AddActorLocalTransform(const FTransform& Delta)
+	{
+		return SetActorLocationAndRotation(GetActorLocation() + GetActorRotation().RotateVector(Delta.GetLocation()),
+			(GetActorRotation().Quaternion() * Delta.GetRotation()).Rotator());
+	}
+	bool AttachToActor(AActor* Parent, const FAttachmentTransformRules& Rules, FName Socket = NAME_None)
+	{
+		return RootComponent && RootComponent->AttachToComponent(Parent->GetRootComponent(), Rules, Socket);
+	}
+	bool AttachToComponent(USceneComponent* Parent, const FAttachmentTransformRules& Rules, FName Socket = NAME_None)
+	{
+		return RootComponent && RootComponent->AttachToComponent(Parent, Rules, Socket);
+	}
+	/** Words that code marks it with. */
+	TArray<FName> Tags;
+	bool ActorHasTag(FName Tag) const { return Tags.Contains(Tag); }
 	FVector GetActorForwardVector() const { return GetActorRotation().Vector(); }
+	FVector GetActorRightVector() const { return GetActorRotation().GetRight(); }
+	FVector GetActorUpVector() const { return GetActorRotation().GetUp(); }
 	/** The world's. */
 	FTimerManager& GetWorldTimerManager() const;
 	void SetActorTickEnabled(bool bEnabled) { PrimaryActorTick.SetTickFunctionEnable(bEnabled); }
 
 	/** A part of this actor; a component begins to play with it. */
 	template<typename T>
-	T* CreateDefaultSubobject(FName SubobjectName)
+	T* CreateDefaultSubobject(FName SubobjectName, bool = false)
 	{
 		T* const Part = UObject::CreateDefaultSubobject<T>(SubobjectName);
 		if constexpr (std::is_base_of_v<UActorComponent, T>)

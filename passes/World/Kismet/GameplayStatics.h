@@ -35,6 +35,17 @@ public:
 			}
 		}
 	}
+	static void GetAllActorsWithTag(const UObject*, FName Tag, TArray<AActor*>& OutActors)
+	{
+		OutActors.Reset();
+		for (const std::shared_ptr<AActor>& Actor : GWorld->GetActors())
+		{
+			if (Actor->ActorHasTag(Tag))
+			{
+				OutActors.Add(Actor.get());
+			}
+		}
+	}
 	/** The first one, or null. */
 	static AActor* GetActorOfClass(const UObject* WorldContextObject, TSubclassOf<AActor> ActorClass)
 	{

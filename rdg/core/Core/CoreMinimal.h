@@ -18,6 +18,7 @@
 #include "Delegates/Delegate.h"
 #include "Internationalization/Text.h"
 #include "Logging/LogMacros.h"
+#include "Serialization/Archive.h"
 #include "Stats/Stats.h"
 #include "UObject/NameTypes.h"
 

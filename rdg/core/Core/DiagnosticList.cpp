@@ -15,7 +15,8 @@ namespace
 
 constexpr std::string_view MoreBegin = "and ";
 constexpr std::string_view MoreMiddle = " more like it (DD";
-constexpr size_t MaxMessageBytes = 2000;
+constexpr size_t MaxSentenceBytes = 2000; // up to the first line break
+constexpr size_t MaxMessageBytes = 64000; // with the lines of a table
 
 /** Messages of one severity and one number. */
 using FKind = std::pair<ESeverity, int>;
@@ -51,11 +52,12 @@ FDiagnostic MakeMore(FKind Kind, uint64_t NumMore)
 /** At the beginning of a UTF-8 character. */
 void CutMessage(std::string& Message)
 {
-	if (Message.size() <= MaxMessageBytes)
+	const bool bLongSentence = std::min(Message.find('\n'), Message.size()) > MaxSentenceBytes;
+	size_t End = bLongSentence ? MaxSentenceBytes : MaxMessageBytes;
+	if (Message.size() <= End)
 	{
 		return;
 	}
-	size_t End = MaxMessageBytes;
 	while (End > 0 && (static_cast<unsigned char>(Message[End]) & 0xC0) == 0x80)
 	{
 		--End;

@@ -21,7 +21,8 @@ constexpr size_t NumListedOfMany = 5;
 constexpr int MoreDiagnosticsCode = 1025;
 
 /** Appends to Diagnostics. From the hundred-and-first of one kind on, they are only counted, in a last message of that
- * severity: "and 12 more like it (DD1012)". A message of more than 2000 bytes is cut. */
+ * severity: "and 12 more like it (DD1012)". A message is cut where its first line has more than 2000 bytes, and at
+ * 64000 bytes: a table of many lines stays whole. */
 DRYDOCK_API void AddDiagnostic(std::vector<FDiagnostic>& Diagnostics, FDiagnostic Diagnostic);
 
 /** Appends those of More whose text, as ToString gives it, is not in Diagnostics yet. */
@@ -31,8 +32,8 @@ DRYDOCK_API void AddNewDiagnostics(std::vector<FDiagnostic>& Diagnostics, const 
 DRYDOCK_API std::vector<FDiagnostic> LimitDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
 /** Shortens a list of any length for people. A kind with more than MaxListedAlike messages keeps the first
- * NumListedOfMany, then a message counts the rest. A message that represents several counts as that many. A message of
- * more than 2000 bytes is cut. */
+ * NumListedOfMany, then a message counts the rest. A message that represents several counts as that many.
+ * Messages are cut as by AddDiagnostic. */
 DRYDOCK_API std::vector<FDiagnostic> SummarizeDiagnostics(const std::vector<FDiagnostic>& Diagnostics);
 
 /** The error to throw when memory is refused: DD5008, exit code 3. The argument What names the memory's use, "the

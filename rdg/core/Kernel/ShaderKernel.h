@@ -45,8 +45,15 @@ enum class ETexelStorage : uint8_t
 	RGBA8_UINT,
 	RGBA16_UINT,
 	RGBA32_UINT,
+	R32_SINT,
 	Count
 };
+
+/** Whether atomic operations work on its texels. */
+constexpr bool HoldsWords(ETexelStorage Storage)
+{
+	return Storage == ETexelStorage::R32_UINT || Storage == ETexelStorage::R32_SINT;
+}
 
 /** One mip level. Rows are RowPitch bytes apart, slices (3D depth or array layers) SlicePitch bytes apart. */
 struct FKernelMip

@@ -1,6 +1,6 @@
 // Pixel formats under the engine's names and numbers: those whose texels drydock stores. Block-compressed, video and
-// signed formats of the engine have no storage here and are left out, so that using one is an error at compile time.
-// Source: engine PixelFormat.h.
+// most signed formats of the engine have no storage here and are left out, so that using one is an error at compile
+// time. Source: engine PixelFormat.h.
 #pragma once
 
 #include <array>
@@ -31,6 +31,7 @@ enum EPixelFormat : uint8
 	PF_R16F_FILTER = 22,
 	PF_FloatR11G11B10 = 26,
 	PF_R32_UINT = 28,
+	PF_R32_SINT = 29,
 	PF_R16_UINT = 32,
 	PF_R16G16B16A16_UINT = 34,
 	PF_R8G8B8A8 = 37,

@@ -106,6 +106,11 @@ uint32_t EncodeUint(double Value, int32_t Bits)
 	return Value > 0 ? uint32_t(std::min(Value, Max)) : 0; // NaN compares false
 }
 
+uint32_t EncodeSint(double Value)
+{
+	return std::isnan(Value) ? 0 : uint32_t(int32_t(std::clamp(Value, -2147483648.0, 2147483647.0)));
+}
+
 template<typename T>
 void StoreChannels(const T* Values, int32_t Count, void* Texel)
 {
@@ -171,7 +176,8 @@ void EncodeReal(ETexelStorage Storage, const Real RGBA[4], void* Texel, bool bSa
 			Code = EncodeHalf(RGBA[Channel], bSaturate);
 			break;
 		case ETexelKind::Uint:
-			Code = EncodeUint(RGBA[Channel], Info.BitsPerChannel);
+			Code = Storage == ETexelStorage::R32_SINT ? EncodeSint(double(RGBA[Channel]))
+													  : EncodeUint(RGBA[Channel], Info.BitsPerChannel);
 			break;
 		case ETexelKind::Srgb:
 			Code = Channel < 3 ? EncodeSrgb8(RGBA[Channel]) : EncodeUnorm(RGBA[Channel], 8);
@@ -248,7 +254,7 @@ void DecodeReal(ETexelStorage Storage, const void* Texel, Real OutRGBA[4])
 				Values[Channel] = DecodeHalf(uint16_t(Code));
 				break;
 			case ETexelKind::Uint:
-				Values[Channel] = Code;
+				Values[Channel] = Storage == ETexelStorage::R32_SINT ? double(int32_t(Code)) : double(Code);
 				break;
 			case ETexelKind::Srgb:
 				Values[Channel] = Channel < 3 ? DecodeSrgb8(uint8_t(Code)) : DecodeUnorm(Code, 8);

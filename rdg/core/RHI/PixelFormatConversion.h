@@ -69,6 +69,7 @@ inline constexpr FTexelStorageInfo GTexelStorageInfos[] = {
 	{"RGBA8_UINT", ETexelKind::Uint, 4, 4, 8},
 	{"RGBA16_UINT", ETexelKind::Uint, 4, 8, 16},
 	{"RGBA32_UINT", ETexelKind::Uint, 4, 16, 32},
+	{"R32_SINT", ETexelKind::Uint, 1, 4, 32},
 };
 static_assert(sizeof(GTexelStorageInfos) / sizeof(FTexelStorageInfo) == size_t(ETexelStorage::Count));
 
@@ -83,14 +84,14 @@ constexpr const FTexelStorageInfo& GetTexelStorageInfo(ETexelStorage Storage)
 DRYDOCK_API void EncodeTexel(ETexelStorage Storage, const float RGBA[4], void* Texel, bool bSaturate = false);
 DRYDOCK_API void EncodeTexel(ETexelStorage Storage, const double RGBA[4], void* Texel, bool bSaturate = false);
 
-/** UINT storage only: a value above the channel's range becomes its largest. */
+/** UINT and SINT storage only: a value above the channel's range becomes its largest. */
 DRYDOCK_API void EncodeTexel(ETexelStorage Storage, const uint32_t RGBA[4], void* Texel);
 
 /** Exact, except that float receives 64-bit texels and 32-bit integers rounded to nearest even. */
 DRYDOCK_API void DecodeTexel(ETexelStorage Storage, const void* Texel, float OutRGBA[4]);
 DRYDOCK_API void DecodeTexel(ETexelStorage Storage, const void* Texel, double OutRGBA[4]);
 
-/** UINT storage only; missing channels read 0, alpha 1. */
+/** UINT and SINT storage only, the bits; missing channels read 0, alpha 1. */
 DRYDOCK_API void DecodeTexel(ETexelStorage Storage, const void* Texel, uint32_t OutRGBA[4]);
 
 /** IEEE binary16 from any real. A float converts to double exactly, so one rounding serves both. */

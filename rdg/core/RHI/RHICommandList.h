@@ -10,6 +10,7 @@
 #include "PassCounters.h"
 #include "RHIResources.h"
 #include "RHITransition.h"
+#include "RHIViewDesc.h"
 #include "VertexDraw.h"
 
 /** Creation, locks, uploads and clears; counters. */
@@ -39,6 +40,26 @@ public:
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer, uint32 Stride, EPixelFormat Format);
+	FShaderResourceViewRHIRef CreateShaderResourceView(
+		FRHITexture* Texture, const FRHIViewDesc::FTextureSRV::FInitializer& Desc)
+	{
+		return new FRHIShaderResourceView(Texture, Desc.Info);
+	}
+	FShaderResourceViewRHIRef CreateShaderResourceView(
+		FRHIBuffer* Buffer, const FRHIViewDesc::FBufferSRV::FInitializer& Desc)
+	{
+		return new FRHIShaderResourceView(Buffer, Desc.Info);
+	}
+	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(
+		FRHITexture* Texture, const FRHIViewDesc::FTextureUAV::FInitializer& Desc)
+	{
+		return new FRHIUnorderedAccessView(Texture, Desc.Info);
+	}
+	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(
+		FRHIBuffer* Buffer, const FRHIViewDesc::FBufferUAV::FInitializer& Desc)
+	{
+		return new FRHIUnorderedAccessView(Buffer, Desc.Info);
+	}
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHITexture* Texture, uint32 MipLevel = 0);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer);
@@ -69,9 +90,15 @@ public:
 	bool IsImmediate() const { return bImmediate; }
 	FRHICommandListBase& GetAsImmediate() { return *this; }
 
-	/** Sums since ResetCounters. */
+	/** Sums since ResetCounters, which keeps the remarks that nobody has taken: those of work outside passes. */
 	const Drydock::FPassCounters& GetCounters() const { return Counters; }
-	void ResetCounters() { Counters = Drydock::FPassCounters(); }
+	void ResetCounters()
+	{
+		std::vector<Drydock::FDiagnostic> Remarks = TakeRemarks();
+		Counters = Drydock::FPassCounters();
+		Counters.Remarks = std::move(Remarks);
+	}
+	std::vector<Drydock::FDiagnostic> TakeRemarks() { return std::exchange(Counters.Remarks, {}); }
 	/** Counts what was written to Drawn as written to Target. */
 	void CountAs(const FRHITexture* Drawn, const FRHITexture* Target) { Counters.Rename(Drawn, Target); }
 
@@ -91,44 +118,6 @@ private:
 	std::map<FRHITexture*, FLockedTexture> LockedTextures;
 };
 
-class DRYDOCK_API FRHIComputeCommandList : public FRHICommandListBase
-{
-public:
-	/** Names the shader of the following dispatches; forgets the parameters of the one before. */
-	void SetComputePipelineState(FRHIComputeShader* ComputeShader);
-
-	/** The parameters' binder hands over what DispatchComputeShader runs. Stays until the next pipeline state. */
-	void SetBoundComputeShader(Drydock::FBoundShader&& Shader);
-
-	/** Runs that many thread groups. A zero count runs nothing. */
-	void DispatchComputeShader(uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ);
-
-	/** Group counts: three uint32 at ArgumentOffset. */
-	void DispatchIndirectComputeShader(FRHIBuffer* ArgumentBuffer, uint32 ArgumentOffset);
-
-	/** Values are stored as the view's format stores them. Buffers without a format: 32-bit elements, from Value.X. */
-	void ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value);
-	void ClearUAVUint(FRHIUnorderedAccessView* View, const FUintVector4& Value);
-
-	void BeginUAVOverlap() {}
-	void EndUAVOverlap() {}
-	void SubmitCommandsHint() {}
-
-	/** Ours: the shader that is bound to the stage. */
-	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
-
-protected:
-	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. */
-	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
-		FIntVector TileSize);
-
-private:
-	void NoteCleared(const FRHIUnorderedAccessView* View);
-
-	Drydock::FBoundShader BoundCompute;
-	FRHIComputeShader* ComputeShader = nullptr;
-};
-
 /** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
 class FRHIBatchedShaderParameters
 {
@@ -146,6 +135,55 @@ public:
 	void Reset() { Bound = Drydock::FBoundShader(); }
 
 	Drydock::FBoundShader Bound; // ours
+};
+
+class DRYDOCK_API FRHIComputeCommandList : public FRHICommandListBase
+{
+public:
+	/** Names the shader of the following dispatches; forgets the parameters of the one before. */
+	void SetComputePipelineState(FRHIComputeShader* ComputeShader);
+
+	/** The spelling before 5.1. */
+	void SetComputeShader(FRHIComputeShader* InComputeShader) { SetComputePipelineState(InComputeShader); }
+	FRHIComputeShader* GetBoundComputeShader() const { return ComputeShader; }
+
+	/** The parameters' binder hands over what DispatchComputeShader runs. Stays until the next pipeline state. */
+	void SetBoundComputeShader(Drydock::FBoundShader&& Shader);
+
+	/** Runs that many thread groups. A zero count runs nothing. */
+	void DispatchComputeShader(uint32 ThreadGroupCountX, uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ);
+
+	/** Group counts: three uint32 at ArgumentOffset. */
+	void DispatchIndirectComputeShader(FRHIBuffer* ArgumentBuffer, uint32 ArgumentOffset);
+
+	/** Values are stored as the view's format stores them. Buffers without a format: 32-bit elements, from Value.X. */
+	void ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value);
+	void ClearUAVUint(FRHIUnorderedAccessView* View, const FUintVector4& Value);
+
+	/** Empty; the list's own, for one shader at a time. */
+	FRHIBatchedShaderParameters& GetScratchShaderParameters();
+	/** Takes them over, for the dispatches and draws that follow. */
+	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
+
+	void BeginUAVOverlap() {}
+	void EndUAVOverlap() {}
+	void SubmitCommandsHint() {}
+
+	/** Ours: the shader that is bound to the stage. */
+	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
+
+protected:
+	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. Targets: the textures of
+	 * Args.Targets. */
+	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
+		FIntVector TileSize, const std::vector<FRHITexture*>& Targets = {});
+
+private:
+	void NoteCleared(const FRHIUnorderedAccessView* View);
+
+	Drydock::FBoundShader BoundCompute;
+	FRHIBatchedShaderParameters ScratchShaderParameters;
+	FRHIComputeShader* ComputeShader = nullptr;
 };
 
 class DRYDOCK_API FRHICommandList : public FRHIComputeCommandList
@@ -174,10 +212,7 @@ public:
 	Drydock::FBoundShader& GetBound(FRHIPixelShader*) { return BoundPixel; }
 	Drydock::FBoundShader& GetBound(FRHIVertexShader*) { return Vertices.Bound; }
 
-	/** Empty; the list's own, for one shader at a time. */
-	FRHIBatchedShaderParameters& GetScratchShaderParameters();
-	/** Takes them over, for the dispatches and draws that follow. */
-	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
+	using FRHIComputeCommandList::SetBatchedShaderParameters;
 	void SetBatchedShaderParameters(FRHIGraphicsShader* Shader, FRHIBatchedShaderParameters& Parameters);
 	/** The vertex shader of the pipeline state. */
 	FRHIVertexShader* GetBoundVertexShader() const { return Vertices.Shader; }
@@ -205,7 +240,7 @@ public:
 	void SetBlendFactor(const FLinearColor& BlendFactor);
 
 	/** Each instance covers the viewport once, within scissor and targets; or what the vertex shader makes of it, which
-	 * have to be rectangles (VertexRectangles.h): others are not drawn, which is a warning of the pass (DD2130). */
+	 * have to be triangles of the screen (VertexRectangles.h): others are not drawn, which is a warning (DD2130). */
 	void DrawPrimitive(uint32 BaseVertexIndex, uint32 NumPrimitives, uint32 NumInstances);
 	void DrawIndexedPrimitive(FRHIBuffer* IndexBuffer, int32 BaseVertexIndex, uint32 FirstInstance, uint32 NumVertices,
 		uint32 StartIndex, uint32 NumPrimitives, uint32 NumInstances);
@@ -222,12 +257,12 @@ private:
 	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
 	void CheckDraw();
 	std::vector<Drydock::FKernelTarget> MakeTargets() const;
+	std::vector<FRHITexture*> GetTargetTextures() const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;
 
 	FRHIRenderPassInfo RenderPass;
 	Drydock::FBoundShader BoundPixel;
-	FRHIBatchedShaderParameters ScratchShaderParameters;
 	FRHIPixelShader* PixelShader = nullptr;
 	TRefCountPtr<FRHIBlendState> BlendState;
 	TRefCountPtr<FRHIDepthStencilState> DepthStencilState;
@@ -266,6 +301,7 @@ public:
 
 	void ImmediateFlush(EImmediateFlushType::Type = EImmediateFlushType::FlushRHIThread) {}
 	void BlockUntilGPUIdle() {}
+	void FlushResources() {}
 	void SubmitAndBlockUntilGPUIdle() {}
 };
 
@@ -275,6 +311,8 @@ public:
 	/** The one list there is need of; made on first use. Not for two threads at once. */
 	static DRYDOCK_API FRHICommandListImmediate& GetImmediateCommandList();
 };
+
+inline FRHICommandListExecutor GRHICommandList;
 
 inline FRHICommandListImmediate& GetImmediateCommandList_ForRenderCommand()
 {

@@ -47,7 +47,7 @@ Drydock::FDiagnostic MakeNoRectangle(const std::string& VertexShader, const std:
 {
 	return Drydock::MakeVertexDiagnostic(Drydock::ESeverity::Warning, Drydock::WarnNoRectangle,
 		"nothing is drawn with vertex shader " + VertexShader + ": " + Fault +
-			". drydock draws rectangles of the screen, and triangles that cover the viewport");
+			". drydock draws triangles of the screen, whose w is the same at all vertices");
 }
 
 } // namespace
@@ -170,6 +170,19 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
 	return Targets;
 }
 
+/** By their indices in the kernel's targets. */
+std::vector<FRHITexture*> FRHICommandList::GetTargetTextures() const
+{
+	std::vector<FRHITexture*> Textures;
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
+	{
+		Textures.push_back(Entry.RenderTarget);
+	}
+	Textures.resize(Drydock::GDepthTarget);
+	Textures.push_back(RenderPass.DepthStencilRenderTarget.DepthStencilTarget);
+	return Textures;
+}
+
 void FRHICommandList::DrawViewport(uint32 NumInstances)
 {
 	CheckDraw();
@@ -246,7 +259,7 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
 	Drydock::RequireAllSet(Vertices.Bound);
 	Vertices.CheckInput(Draw);
-	const int32 NumTexCoords = BoundPixel.GetReflection().NumInterpolants;
+	const Drydock::FShaderReflection& Read = BoundPixel.GetReflection();
 	Vertices.CheckTexCoords(BoundPixel);
 
 	const uint64 NumTriangles = uint64(Draw.NumPrimitives) * std::max(1u, NumInstances);
@@ -264,8 +277,8 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	Counters.Ran |= Drydock::EShaderRun::Interpreter;
 	for (uint32 Instance = 0; Instance < std::max(1u, NumInstances) && Drawn.Fault.empty(); ++Instance)
 	{
-		Drydock::FDrawnRectangles OfInstance = Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance),
-			Viewport, Bounds, NumTexCoords, BoundPixel.GetReflection().IntegerInterpolants);
+		Drydock::FDrawnRectangles OfInstance = Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance, Read),
+			Viewport, Bounds, Read.NumInterpolants, Read.IntegerInterpolants, Read.NamedInterpolants);
 		Drawn.Fault = OfInstance.Fault;
 		std::move(OfInstance.Rectangles.begin(), OfInstance.Rectangles.end(), std::back_inserter(Drawn.Rectangles));
 	}

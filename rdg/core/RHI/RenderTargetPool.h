@@ -53,6 +53,8 @@ public:
 	/** End of a frame: forgets elements unused for some frames. */
 	void TickPoolElements();
 
+	/** Gives up that one; its texture is free once nobody else holds it. */
+	void FreeUnusedResource(TRefCountPtr<IPooledRenderTarget>& In) { In = nullptr; }
 	/** Forgets every free element. */
 	void FreeUnusedResources();
 	void ReleaseRHI() { FreeUnusedResources(); }

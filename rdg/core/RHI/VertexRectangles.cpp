@@ -1,4 +1,4 @@
-// Pairs triangles to rectangles and fits planes to their TEXCOORDs, in double.
+// Pairs triangles to rectangles, cuts others into rows of pixels, and fits planes to their TEXCOORDs, in double.
 #include "VertexRectangles.h"
 
 #include "Math/ToInteger.h"
@@ -15,6 +15,9 @@ namespace
 /** TEXCOORDs are floats, computed with a rounding or two: how far, in parts of the largest, a corner may lie off the
  * plane of the others. */
 constexpr double GPlaneTolerance = 1.0 / (1 << 18);
+
+/** The most rows of pixels of a draw. Each row is drawn by itself, and all of them are held meanwhile. */
+constexpr size_t GMaxRows = 1 << 18;
 
 /** A vertex on its way to the pixels. */
 struct FCorner
@@ -45,12 +48,13 @@ class FFinder
 {
 public:
 	FFinder(const std::vector<FVertexOutput>& InVertices, const FIntRect& InViewport, const FIntRect& InBounds,
-		int32_t InNumTexCoords, uint32_t InIntegers)
+		int32_t InNumTexCoords, uint32_t InIntegers, const std::vector<std::string>& InNamed)
 		: Vertices(InVertices)
 		, Viewport(InViewport)
 		, Bounds(InBounds)
 		, NumTexCoords(InNumTexCoords)
 		, Integers(InIntegers)
+		, Named(InNamed)
 	{
 	}
 
@@ -73,7 +77,7 @@ public:
 			}
 			else
 			{
-				AddCovering(Triangle);
+				AddTriangle(Triangle);
 				First += 3;
 			}
 		}
@@ -108,7 +112,8 @@ private:
 				const double* const First = Vertices[0].TexCoords[Index];
 				if ((Integers >> Index & 1) && !std::equal(First, First + 4, Vertex.TexCoords[Index]))
 				{
-					Result.Fault = "the integers of " + GetInterpolantName(Index) + " are not the same at all vertices";
+					Result.Fault =
+						"the integers of " + GetInterpolantName(Index, Named) + " are not the same at all vertices";
 				}
 			}
 			if (!Result.Fault.empty())
@@ -122,7 +127,8 @@ private:
 		return true;
 	}
 
-	/** Both triangles as one rectangle; false where they are none. A fault where only the TEXCOORDs do not fit. */
+	/** Both triangles as one rectangle; false where they make none, or where a TEXCOORD has another plane in each.
+	 */
 	bool AddRectangle(const FCorner* Six)
 	{
 		double Left = Six[0].X, Right = Six[0].X, Top = Six[0].Y, Bottom = Six[0].Y;
@@ -153,20 +159,17 @@ private:
 		}
 		const FCorner Plane[3] = {*ByPlace[0], *ByPlace[1], *ByPlace[2]};
 		std::vector<FKernelInterpolant> Interpolants = FitPlanes(Plane);
-		const int32 Bent = FindBent(Six, Interpolants);
-		if (Bent >= 0)
+		if (IsBent(Six, Interpolants))
 		{
-			Result.Fault =
-				GetInterpolantName(Bent) + " does not run evenly over the rectangle: its four corners lie on no plane";
-			return true;
+			return false;
 		}
 		const FIntRect Rect(GetFirstPixel(Left), GetFirstPixel(Top), GetFirstPixel(Right), GetFirstPixel(Bottom));
 		Add(Rect, std::move(Interpolants));
 		return true;
 	}
 
-	/** The TEXCOORD of which a vertex lies off its plane; -1: none. */
-	int32 FindBent(const FCorner* Six, const std::vector<FKernelInterpolant>& Interpolants) const
+	/** Whether a vertex lies off the plane of a TEXCOORD. */
+	bool IsBent(const FCorner* Six, const std::vector<FKernelInterpolant>& Interpolants) const
 	{
 		for (int32 Index = 0; Index < NumTexCoords; ++Index)
 		{
@@ -184,39 +187,86 @@ private:
 				}
 				if (Worst > GPlaneTolerance * Largest)
 				{
-					return Index;
+					return true;
 				}
 			}
 		}
-		return -1;
+		return false;
 	}
 
-	/** A triangle that is all that is seen. */
-	void AddCovering(const FCorner* Triangle)
+	/** Whether a pixel's centre is inside, or on an upper or left edge. Exact: corners are whole 256ths. */
+	static bool IsInside(const FCorner* Triangle, double Turn, int32 PixelX, int32 PixelY)
 	{
-		const double Area = GetTwiceTheArea(Triangle);
-		for (int32 Corner = 0; Corner < 4 && Bounds.Width() > 0 && Bounds.Height() > 0; ++Corner)
+		const double X = PixelX + 0.5;
+		const double Y = PixelY + 0.5;
+		for (int32 i = 0; i < 3; ++i)
 		{
-			const double X = (Corner & 1 ? Bounds.Max.X - 1 : Bounds.Min.X) + 0.5;
-			const double Y = (Corner & 2 ? Bounds.Max.Y - 1 : Bounds.Min.Y) + 0.5;
-			for (int32 i = 0; i < 3; ++i)
+			const FCorner& A = Triangle[i];
+			const FCorner& B = Triangle[(i + 1) % 3];
+			const double EdgeX = (B.X - A.X) * Turn;
+			const double EdgeY = (B.Y - A.Y) * Turn;
+			const double Inside = EdgeX * (Y - A.Y) - (X - A.X) * EdgeY;
+			const bool bTopOrLeft = EdgeY < 0 || (EdgeY == 0 && EdgeX > 0);
+			if (Inside < 0 || (Inside == 0 && !bTopOrLeft))
 			{
-				const FCorner& A = Triangle[i];
-				const FCorner& B = Triangle[(i + 1) % 3];
-				const double Turn = Area > 0 ? 1 : -1; // clockwise on the screen, or not
-				const double EdgeX = (B.X - A.X) * Turn;
-				const double EdgeY = (B.Y - A.Y) * Turn;
-				const double Inside = EdgeX * (Y - A.Y) - (X - A.X) * EdgeY;
-				const bool bTopOrLeft = EdgeY < 0 || (EdgeY == 0 && EdgeX > 0);
-				if (Inside < 0 || (Inside == 0 && !bTopOrLeft))
-				{
-					Result.Fault = "its triangles are neither halves of rectangles along the edges of the screen nor "
-								   "cover the viewport";
-					return;
-				}
+				return false;
 			}
 		}
-		Add(Bounds, FitPlanes(Triangle));
+		return true;
+	}
+
+	/** The pixels of a row that a triangle covers: they lie side by side. */
+	std::pair<int32, int32> FindSpan(const FCorner* Triangle, double Turn, int32 Row) const
+	{
+		double Left = Bounds.Max.X;
+		double Right = Bounds.Min.X;
+		for (int32 i = 0; i < 3; ++i)
+		{
+			const FCorner& A = Triangle[i];
+			const FCorner& B = Triangle[(i + 1) % 3];
+			const double Part = (Row + 0.5 - A.Y) / (B.Y - A.Y);
+			if (Part >= 0 && Part <= 1) // not of a level edge
+			{
+				Left = std::min(Left, A.X + Part * (B.X - A.X));
+				Right = std::max(Right, A.X + Part * (B.X - A.X));
+			}
+		}
+		int32 Begin = std::max(Bounds.Min.X, GetFirstPixel(Left) - 1);
+		int32 End = std::min(Bounds.Max.X, GetFirstPixel(Right) + 1);
+		while (Begin < End && !IsInside(Triangle, Turn, Begin, Row))
+		{
+			++Begin;
+		}
+		while (Begin < End && !IsInside(Triangle, Turn, End - 1, Row))
+		{
+			--End;
+		}
+		return {Begin, End};
+	}
+
+	/** A triangle alone: rows of pixels, those of one place and width together. */
+	void AddTriangle(const FCorner* Triangle)
+	{
+		const double Turn = GetTwiceTheArea(Triangle) > 0 ? 1 : -1; // clockwise on the screen, or not
+		const auto [Top, Bottom] = std::minmax({Triangle[0].Y, Triangle[1].Y, Triangle[2].Y});
+		const int32 End = std::min(Bounds.Max.Y, GetFirstPixel(Bottom) + 1);
+		const std::vector<FKernelInterpolant> Planes = FitPlanes(Triangle);
+		FIntRect Rect;
+		for (int32 Row = std::max(Bounds.Min.Y, GetFirstPixel(Top)); Row < End; ++Row)
+		{
+			const auto [Left, Right] = FindSpan(Triangle, Turn, Row);
+			if (Rect.Max.Y != Row || Rect.Min.X != Left || Rect.Max.X != Right)
+			{
+				Add(Rect, Planes);
+				Rect = FIntRect(Left, Row, Right, Row);
+			}
+			Rect.Max.Y = Row + 1;
+		}
+		Add(Rect, Planes);
+		if (Result.Rectangles.size() > GMaxRows)
+		{
+			Result.Fault = "its triangles cover more than " + std::to_string(GMaxRows) + " rows of pixels";
+		}
 	}
 
 	std::vector<FKernelInterpolant> FitPlanes(const FCorner* Three) const
@@ -243,7 +293,7 @@ private:
 		return Planes;
 	}
 
-	void Add(const FIntRect& Rect, std::vector<FKernelInterpolant>&& Interpolants)
+	void Add(const FIntRect& Rect, std::vector<FKernelInterpolant> Interpolants)
 	{
 		const FIntRect Clipped(std::max(Rect.Min.X, Bounds.Min.X), std::max(Rect.Min.Y, Bounds.Min.Y),
 			std::min(Rect.Max.X, Bounds.Max.X), std::min(Rect.Max.Y, Bounds.Max.Y));
@@ -258,6 +308,7 @@ private:
 	const FIntRect Bounds;
 	const int32 NumTexCoords;
 	const uint32 Integers;
+	const std::vector<std::string>& Named;
 	std::vector<FCorner> Corners;
 	FDrawnRectangles Result;
 };
@@ -265,9 +316,9 @@ private:
 } // namespace
 
 FDrawnRectangles FindDrawnRectangles(const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport,
-	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers)
+	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers, const std::vector<std::string>& Named)
 {
-	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers).Run();
+	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers, Named).Run();
 }
 
 } // namespace Drydock

@@ -45,6 +45,51 @@ public:
 	bool IsInitialized() const { return !GetName().empty(); }
 };
 
+/** A buffer or texture that one shader reads as NAME and another writes as RWNAME. */
+class FRWShaderParameter
+{
+public:
+	void Bind(const FShaderParameterMap& Map, const TCHAR* BaseName)
+	{
+		SRVParameter.Bind(Map, BaseName);
+		UAVParameter.Bind(Map, (std::string("RW") + BaseName).c_str());
+	}
+	bool IsBound() const { return SRVParameter.IsBound() || UAVParameter.IsBound(); }
+	bool IsUAVBound() const { return UAVParameter.IsBound(); }
+
+	/** Sets both, of which the shader has one. */
+	template<typename TRHICmdList, typename TShaderRHI>
+	void SetTexture(
+		TRHICmdList& RHICmdList, TShaderRHI* ShaderRHI, FRHITexture* Texture, FRHIUnorderedAccessView* UAV) const
+	{
+		SetTextureParameter(RHICmdList, ShaderRHI, SRVParameter, Texture);
+		SetUAVParameter(RHICmdList, ShaderRHI, UAVParameter, UAV);
+	}
+	template<typename TRHICmdList, typename TShaderRHI>
+	void UnsetUAV(TRHICmdList&, TShaderRHI*) const
+	{
+	}
+
+private:
+	FShaderResourceParameter SRVParameter;
+	FShaderResourceParameter UAVParameter;
+};
+
+/** Type with that alignment in bytes. */
+template<typename T, int32 Alignment>
+struct TAlignedTypedef
+{
+	typedef T Type __attribute__((aligned(Alignment)));
+};
+
 /** Members of a shader class in the engine's frozen memory images; plain members here. */
+#define DECLARE_TYPE_LAYOUT(T, Interface)
+#define DECLARE_INLINE_TYPE_LAYOUT(T, Interface)
+#define DECLARE_EXPORTED_TYPE_LAYOUT(T, RequiredAPI, Interface)
+#define DECLARE_INLINE_TYPE_LAYOUT_EXPLICIT_BASES(T, Interface, ...)
+#define DECLARE_TYPE_LAYOUT_EXPLICIT_BASES(T, Interface, ...)
+#define IMPLEMENT_TYPE_LAYOUT(T)
+#define IMPLEMENT_ABSTRACT_TYPE_LAYOUT(T)
+#define IMPLEMENT_TEMPLATE_TYPE_LAYOUT(TemplatePrefix, T)
 #define LAYOUT_FIELD(T, Name, ...) T Name;
 #define LAYOUT_ARRAY(T, Name, NumArray, ...) T Name[NumArray];

@@ -212,6 +212,14 @@ private:
 	TShaderClass* Shader = nullptr;
 };
 
+/** Runs the list's shader, which is Shader. */
+template<typename TRHICmdList, typename TShaderClass>
+void DispatchComputeShader(TRHICmdList& RHICmdList, const TShaderRef<TShaderClass>&, uint32 ThreadGroupCountX,
+	uint32 ThreadGroupCountY, uint32 ThreadGroupCountZ)
+{
+	RHICmdList.DispatchComputeShader(ThreadGroupCountX, ThreadGroupCountY, ThreadGroupCountZ);
+}
+
 namespace Drydock
 {
 

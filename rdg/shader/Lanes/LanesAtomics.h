@@ -140,7 +140,7 @@ struct TAtomicElement
 	DRYDOCK_LANES_INLINE uint32_t* Find(int Lane) const
 	{
 		const uint32_t At = Index.V[Lane];
-		const bool bInside = Buffer.Storage == ETexelStorage::R32_UINT && At < Buffer.SizeInBytes / 4;
+		const bool bInside = HoldsWords(Buffer.Storage) && At < Buffer.SizeInBytes / 4;
 		return bInside ? reinterpret_cast<uint32_t*>(Buffer.Data) + At : nullptr;
 	}
 };
@@ -165,7 +165,7 @@ struct TAtomicTexel
 		const int32_t X = At.E[0].V[Lane];
 		const int32_t Y = At.E[1].V[Lane];
 		const int32_t Z = Count == 3 ? At.E[Count - 1].V[Lane] : 0;
-		const bool bInside = Texture.Storage == ETexelStorage::R32_UINT && uint32_t(X) < uint32_t(Mip.SizeX) &&
+		const bool bInside = HoldsWords(Texture.Storage) && uint32_t(X) < uint32_t(Mip.SizeX) &&
 							 uint32_t(Y) < uint32_t(Mip.SizeY) && uint32_t(Z) < uint32_t(Mip.SizeZ);
 		return bInside ? reinterpret_cast<uint32_t*>(Mip.Data + Z * Mip.SlicePitch + int64_t(Y) * Mip.RowPitch) + X
 					   : nullptr;

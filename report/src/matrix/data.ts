@@ -14,6 +14,7 @@ export interface MatrixVersion {
 	builds: boolean;
 	firstError: MatrixMessage | null;
 	compilerWarnings: MatrixMessage[];
+	inEngine: { answer: string; messages: string[] }; // whether the engine of that version has all names
 	notes: string[];
 	library: string;
 	log: string;
@@ -57,6 +58,7 @@ export function gatherMessages(report: MatrixReport): Said[] {
 		said.set(key, known);
 	};
 	for (const version of report.matrix.versions) {
+		version.inEngine.messages.forEach((text) => add("not in the engine", { code: null, file: "", line: 0, where: "", text }, version.engine));
 		version.notes.forEach((note) => add("note", { code: null, file: "", line: 0, where: "", text: note }, version.engine));
 		add("does not build", version.firstError, version.engine);
 		version.compilerWarnings.forEach((message) => add("the compiler warns", message, version.engine));

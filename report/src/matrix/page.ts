@@ -19,6 +19,7 @@ interface Cell {
 
 const columns: [string, string, (version: MatrixVersion) => Cell][] = [
 	["builds", "Builds", (version) => (version.builds ? { text: "yes", tone: "good", kinds: ["note"] } : { text: "no", tone: "bad", kinds: ["does not build"] })],
+	["engine", "In the engine", ({ inEngine: { answer } }) => ({ text: answer === "-" ? "–" : answer, tone: answer === "yes" ? "good" : answer === "-" ? "quiet" : answer.startsWith("no") ? "bad" : "note", kinds: ["not in the engine"] })],
 	["compiler", "Compiler", ({ compilerWarnings: list }) => ({ text: list.length ? count(list.length, "warning") : "–", tone: list.length ? "note" : "quiet", kinds: ["the compiler warns"] })],
 	["runs", "Runs", ({ run }) => (!run ? { text: "–", tone: "quiet", kinds: [] } : run.exitCode === 0 ? { text: "yes", tone: "good", kinds: [] } : { text: run.end ?? "no", tone: "bad", kinds: ["does not run"] })],
 	["warnings", "Warnings", ({ run }) => ({ text: run?.warnings.length ? [...new Set(run.warnings.map((message) => message.code))].join(", ") : "–", tone: run?.warnings.length ? "note" : "quiet", kinds: ["the run warns"] })],
@@ -87,7 +88,7 @@ export class MatrixPage {
 		const facts: [string, string][] = id === "picture" && version.picture ? [
 			["Fingerprint", version.picture.fingerprint.slice(0, 16)], ["Beside", version.picture.before ?? ""], ["Pixels that differ", version.picture.pixels?.toLocaleString("en") ?? ""],
 			["The first", version.picture.first?.join(", ") ?? ""], ["The same as", version.picture.sameAs ?? ""]]
-			: id === "builds" || id === "compiler" ? [["Library", version.library], ["All that was said", version.log]]
+			: id === "builds" || id === "compiler" || id === "engine" ? [["Library", version.library], ["All that was said", version.log]]
 			: version.run ? [["Exit code", String(version.run.exitCode)], ["Outputs", version.run.folder], ["Extensions", version.run.extensions.join(", ")]] : [];
 		this.side.replaceChildren(
 			el("h3", {}, `Engine ${version.engine}: ${title.toLowerCase()}`), el("p", {}, text === "–" ? "Nothing to say." : text),

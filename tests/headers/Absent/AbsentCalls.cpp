@@ -1,11 +1,11 @@
 // Calls of what is absent, each a line below its name, and before it the words that it is refused with.
 // CallsDocTest.cpp gives this file to g++ and clang.
 #include "AbsentClasses.h"
-#include "EngineModule.h"
+#include "IImageWrapperModule.h"
 
-void CallWhatIsAbsent(UStaticMesh& Mesh, UStaticMeshComponent& MeshComponent, USceneCaptureComponent2D& Capture,
-	FJsonObject& Json, UTextureRenderTarget2D& Target, FArchive& Archive, IRendererModule& Module, FString& Text,
-	TArray<uint8>& Bytes, const TArray<FColor>& Colors, double& Number)
+void CallWhatIsAbsent(UStaticMesh& Mesh, IImageWrapperModule& Wrappers, FJsonObject& Json,
+	UTextureRenderTarget2D& Target, FArchive& Archive, FString& Text, TArray<uint8>& Bytes,
+	const TArray<FColor>& Colors, double& Number)
 {
 	// no mesh is drawn; frames come rendered
 	// UStaticMesh::GetRenderData
@@ -16,15 +16,9 @@ void CallWhatIsAbsent(UStaticMesh& Mesh, UStaticMeshComponent& MeshComponent, US
 	// no mesh is drawn; frames come rendered
 	// UStaticMesh::GetNumTriangles
 	(void)Mesh.GetNumTriangles(0);
-	// no mesh is drawn; frames come rendered
-	// UStaticMeshComponent::SetStaticMesh
-	(void)MeshComponent.SetStaticMesh(&Mesh);
-	// no scene is rendered; give the captured picture as a texture of the scene (docs/scene-textures.md)
-	// USceneCaptureComponent2D::CaptureScene
-	Capture.CaptureScene();
-	// no scene is rendered; give the captured picture as a texture of the scene (docs/scene-textures.md)
-	// USceneCaptureComponent2D::CaptureSceneDeferred
-	Capture.CaptureSceneDeferred();
+	// extract the texture, and let the run write it (docs/outputs.md)
+	// IImageWrapperModule::CreateImageWrapper
+	(void)Wrappers.CreateImageWrapper(EImageFormat::PNG);
 	// give the picture to a UTexture2D property by the config's "objects"
 	// FImageUtils::ImportFileAsTexture2D
 	(void)FImageUtils::ImportFileAsTexture2D(Text);
@@ -46,10 +40,4 @@ void CallWhatIsAbsent(UStaticMesh& Mesh, UStaticMeshComponent& MeshComponent, US
 	// give values by the config's "objects", or read the text by FFileHelper
 	// FJsonObject::GetStringField
 	(void)Json.GetStringField(Text);
-	// add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)
-	// IRendererModule::RegisterPostOpaqueRenderDelegate
-	(void)Module.RegisterPostOpaqueRenderDelegate(0);
-	// add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)
-	// IRendererModule::RegisterOverlayRenderDelegate
-	(void)Module.RegisterOverlayRenderDelegate(0);
 }

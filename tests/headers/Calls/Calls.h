@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "Logging/LogMacros.h"
+
 #include <set>
 #include <string>
 
@@ -40,6 +42,24 @@ inline void Check(EArea Area, EState State, const char* Name, bool bRight, int L
 		ADD_FAILURE() << Name << " gives another value, line " << Line;
 	}
 }
+
+/** What the log says while it lives. */
+class FLogLines
+{
+public:
+	FLogLines()
+	{
+		Before = Drydock::SetLogHandler(
+			[this](const TCHAR*, ELogVerbosity::Type, const std::string& Text) { Lines += Text + "\n"; });
+	}
+	~FLogLines() { Drydock::SetLogHandler(Before); }
+
+	bool Has(const char* Text) const { return Lines.find(Text) != std::string::npos; }
+
+private:
+	std::string Lines;
+	Drydock::FLogHandler Before;
+};
 
 } // namespace Calls
 

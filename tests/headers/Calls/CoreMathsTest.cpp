@@ -201,7 +201,19 @@ TEST(CallsOfCore, Vectors)
 	CALL("FVector4", FVector4(Vector, 1.0).W == 1.0 && FVector4(1, 2, 3, 4).Z == 3.0);
 	CALL("FVector4f", FVector4f(1, 2, 3, 4).W == 4.0f && FVector4f(FLinearColor(1, 2, 3, 4)).Y == 2.0f &&
 						  FVector4f(FVector3f(1, 2, 3), 4.0f).X == 1.0f);
+	CALL("FVector::Dist2D, DistXY, DistSquared2D",
+		FVector::Dist2D(FVector(0, 0, 9), FVector(3, 4, 0)) == 5.0 &&
+			FVector::DistSquared2D(FVector(0, 0, 9), FVector(3, 4, 0)) == 25.0);
+	CALL("FVector2D::Normalize",
+		[]
+		{
+			FVector2D Long(3, 4);
+			FVector2D None(0, 0);
+			return Long.Normalize() && Long.Equals(FVector2D(0.6, 0.8), 1e-12) && !None.Normalize() && None.X == 0.0;
+		}());
+	CALL("FMath::FRandRange (of whole numbers)", FMath::FRandRange(2, 3) >= 2.0 && FMath::FRandRange(2, 3) <= 3.0);
 	const FRotator Rotator(10, 20, 30);
+	CALL("FRotator * number", Rotator * 0.5f == FRotator(5, 10, 15) && 0.5 * Rotator == FRotator(5, 10, 15));
 	CALL("FRotator", Rotator.Pitch == 10.0 && Rotator.Yaw == 20.0 && Rotator.Roll == 30.0);
 	CALL("FRotator::Vector", FRotator(0, 90, 0).Vector().Equals(FVector(0, 1, 0), 1e-9));
 	CALL("FRotator::Quaternion",

@@ -7,6 +7,7 @@
 #include "HAL/CriticalSection.h"
 #include "HAL/IConsoleManager.h"
 #include "HAL/PlatformTime.h"
+#include "Logging/MessageLog.h"
 #include "Logging/StructuredLog.h"
 #include "Misc/App.h"
 #include "Misc/CoreDelegates.h"
@@ -434,6 +435,19 @@ TEST(CallsOfCore, Text)
 			return FFileHelper::SaveStringToFile(TEXT("abc"), File) && FFileHelper::LoadFileToString(Read, File) &&
 				   Read == TEXT("abc") && FFileHelper::LoadFileToArray(Bytes, File) && Bytes.Num() == 3;
 		}());
+	CALL("FFileHelper::SaveArrayToFile",
+		[&]
+		{
+			const TCHAR* const File = TEXT("/tmp/drydock_calls.bin");
+			TArray<uint8> Bytes = {1, 0, 255};
+			TArray<uint8> Read;
+			return FFileHelper::SaveArrayToFile(Bytes, File) &&
+				   FFileHelper::SaveArrayToFile(Bytes, File, &IFileManager::Get(), FILEWRITE_Append) &&
+				   FFileHelper::LoadFileToArray(Read, File) && Read.Num() == 6 && Read[5] == 255;
+		}());
+	FMessageLog(TEXT("Blueprint")).Info(FText::FromString(TEXT("a")));
+	CALL("FMessageLog::Info, Warning, Error", true);
+	COMPILES("FArchive (nobody makes one)", FArchive Archive; int32 Number = 0; Archive << Number);
 	UE_LOG(LogCallsTest, Verbose, TEXT("%d %s"), 3, *Text);
 	UE_CLOG(false, LogTemp, Error, TEXT("never"));
 	UE_LOGFMT(LogTemp, Verbose, "{0}", 3);

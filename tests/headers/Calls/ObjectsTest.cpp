@@ -113,24 +113,6 @@ public:
 	float Strength = 0.5f;
 };
 
-/** What the log says while it lives. */
-class FLogLines
-{
-public:
-	FLogLines()
-	{
-		Before = Drydock::SetLogHandler(
-			[this](const TCHAR*, ELogVerbosity::Type, const std::string& Text) { Lines += Text + "\n"; });
-	}
-	~FLogLines() { Drydock::SetLogHandler(Before); }
-
-	bool Has(const char* Text) const { return Lines.find(Text) != std::string::npos; }
-
-private:
-	std::string Lines;
-	Drydock::FLogHandler Before;
-};
-
 } // namespace
 
 TEST(CallsOfObjects, Objects)
@@ -191,7 +173,7 @@ TEST(CallsOfObjects, Objects)
 			Component->OnChanged.Broadcast(3.0f);
 			return Component->Last == 3.0f;
 		}());
-	FLogLines Log;
+	Calls::FLogLines Log;
 	NEUTRAL("LoadObject",
 		LoadObject<UTexture2D>(nullptr, TEXT("/Game/Calls.One")) == nullptr && Log.Has("/Game/Calls.One"));
 	NEUTRAL("TSoftObjectPtr::LoadSynchronous",
@@ -293,7 +275,7 @@ TEST(CallsOfObjects, WorldAndActors)
 		}());
 	CALL("UGameplayStatics::GetWorldDeltaSeconds, GetTimeSeconds",
 		UGameplayStatics::GetWorldDeltaSeconds(GWorld) >= 0.0 && UGameplayStatics::GetTimeSeconds(GWorld) >= 0.0);
-	FLogLines Log;
+	Calls::FLogLines Log;
 	NEUTRAL("UGameplayStatics::GetPlayerController",
 		UGameplayStatics::GetPlayerController(GWorld, 0) == nullptr && Log.Has("GetPlayerController"));
 	NEUTRAL("UGameplayStatics::GetPlayerPawn",
@@ -403,7 +385,7 @@ TEST(CallsOfObjects, TexturesAndCurves)
 			UKismetRenderingLibrary::ClearRenderTarget2D(GWorld, T.get(), FLinearColor::White);
 			return T->SizeX == 2;
 		}());
-	FLogLines Log;
+	Calls::FLogLines Log;
 	UKismetRenderingLibrary::DrawMaterialToRenderTarget(GWorld, &Target, nullptr);
 	NEUTRAL("UKismetRenderingLibrary::DrawMaterialToRenderTarget", Log.Has("DrawMaterialToRenderTarget"));
 	const std::unique_ptr<UMaterialInstanceDynamic> Material(UMaterialInstanceDynamic::Create(nullptr, nullptr));
@@ -423,5 +405,15 @@ TEST(CallsOfObjects, TexturesAndCurves)
 	Capture.TextureTarget = &Target;
 	CALL(
 		"USceneCaptureComponent2D::TextureTarget, CaptureSource, FOVAngle", Capture.CaptureSource == SCS_SceneColorHDR);
-	CALL("UStaticMeshComponent::GetStaticMesh (null)", UStaticMeshComponent().GetStaticMesh() == nullptr);
+	CALL("USceneCaptureComponent2D::PrimitiveRenderMode, ShowOnlyActors, HiddenActors, ProjectionType, OrthoWidth",
+		Capture.PrimitiveRenderMode != ESceneCapturePrimitiveRenderMode::PRM_UseShowOnlyList &&
+			Capture.ShowOnlyActors.IsEmpty());
+	Capture.CaptureScene();
+	NEUTRAL("USceneCaptureComponent2D::CaptureScene, CaptureSceneDeferred", Log.Has("USceneCaptureComponent2D"));
+	Material->SetTextureParameterValue(TEXT("C"), Texture.get());
+	CALL("UMaterialInstanceDynamic::SetTextureParameterValue, K2_GetTextureParameterValue, K2_GetVectorParameterValue",
+		Material->K2_GetTextureParameterValue(TEXT("C")) == Texture.get() &&
+			Material->K2_GetVectorParameterValue(TEXT("B")) == FLinearColor::White);
+	Texture->LODGroup = TEXTUREGROUP_EffectsNotFiltered;
+	CALL("TextureGroup", TEXTUREGROUP_EffectsNotFiltered == 14 && TEXTUREGROUP_Pixels2D == 28);
 }

@@ -72,6 +72,10 @@ TEST(CallsOfRHI, FormatsFlagsAndStates)
 	CALL("PF_R32_UINT, PF_R8_UINT, PF_R16_UINT, PF_R8G8_UINT, PF_R32G32_UINT",
 		GPixelFormats[PF_R32_UINT].BlockBytes == 4 && GPixelFormats[PF_R8_UINT].BlockBytes == 1 &&
 			GPixelFormats[PF_R8G8_UINT].BlockBytes == 2);
+	CALL("PF_R32_SINT", GPixelFormats[PF_R32_SINT].BlockBytes == 4 && IsInteger(PF_R32_SINT) &&
+							FString(GetPixelFormatString(PF_R32_SINT)) == TEXT("PF_R32_SINT"));
+	CALL("GRHICommandList.GetImmediateCommandList, GetBoundComputeShader, FlushResources",
+		&GRHICommandList.GetImmediateCommandList() == &FRHICommandListExecutor::GetImmediateCommandList());
 	CALL("PF_DepthStencil, PF_X24_G8, PF_ShadowDepth, PF_Unknown", PF_DepthStencil != PF_X24_G8 && PF_Unknown == 0);
 	CALL("IsDepthOrStencilFormat", IsDepthOrStencilFormat(PF_DepthStencil) && !IsDepthOrStencilFormat(PF_FloatRGBA));
 	CALL("GetPixelFormatString", FString(GetPixelFormatString(PF_FloatRGBA)) == TEXT("PF_FloatRGBA"));
@@ -234,6 +238,29 @@ TEST(CallsOfRHI, Resources)
 	CALL("CreateShaderResourceView(Buffer), CreateUnorderedAccessView(Buffer)",
 		RHICmdList.CreateShaderResourceView(Buffer).IsValid() &&
 			RHICmdList.CreateUnorderedAccessView(Buffer, PF_R32_FLOAT).IsValid());
+	CALL("FRHIViewDesc::CreateTextureSRV, CreateTextureUAV: SetDimensionFromTexture, SetFormat, SetMipRange, "
+		 "SetMipLevel",
+		RHICmdList.CreateShaderResourceView(Texture, FRHIViewDesc::CreateTextureSRV()
+														 .SetDimensionFromTexture(Texture)
+														 .SetFormat(PF_FloatRGBA)
+														 .SetMipRange(0, 1))
+					->GetNumMips() == 1 &&
+			RHICmdList
+				.CreateUnorderedAccessView(
+					Texture, FRHIViewDesc::CreateTextureUAV().SetDimensionFromTexture(Texture).SetMipLevel(0))
+				.IsValid());
+	CALL("FRHIViewDesc::CreateBufferSRV, CreateBufferUAV: SetType, SetFormat, SetOffsetInBytes, SetStride, "
+		 "SetNumElements",
+		RHICmdList.CreateShaderResourceView(Buffer, FRHIViewDesc::CreateBufferSRV()
+														.SetType(FRHIViewDesc::EBufferType::Typed)
+														.SetFormat(PF_R32_FLOAT)
+														.SetOffsetInBytes(16)
+														.SetNumElements(3))
+					->GetSizeInBytes() == 12 &&
+			RHICmdList
+					.CreateUnorderedAccessView(Buffer,
+						FRHIViewDesc::CreateBufferUAV().SetTypeFromBuffer(Buffer).SetStride(16).SetNumElements(2))
+					->GetSizeInBytes() == 32);
 	CALL("EBufferUsageFlags, FBufferRHIRef, FShaderResourceViewRHIRef, FUnorderedAccessViewRHIRef",
 		EBufferUsageFlags::Static == BUF_Static);
 	CALL("TResourceArray, FVertexBuffer, VertexBufferRHI",

@@ -1,9 +1,12 @@
 // RenderFrame: a frame from a description, with the extensions that are registered.
 #include "RecordingExtensions.h"
 
+#include "Engine/Engine.h"
+#include "EngineModule.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "RenderGraphBuilder.h"
 #include "RenderGraphUtils.h"
+#include "SceneTextures.h"
 #include "UnrealClient.h"
 
 using namespace ExtensionTest;
@@ -68,6 +71,83 @@ TEST(RenderFrame, TheFamilysTargetIsTheFinalPicture)
 			EXPECT_EQ(FLinearColor(1.0f, 0.0f, 0.0f, 1.0f), Output.Color.Last()) << Immediate << bEarly;
 		}
 	}
+}
+
+/** Notes its hooks around the engine's delegates. */
+class FNotingExtension : public FSceneViewExtensionBase
+{
+public:
+	FNotingExtension(const FAutoRegister& AutoRegister, std::string& InCalls)
+		: FSceneViewExtensionBase(AutoRegister)
+		, Calls(InCalls)
+	{
+	}
+
+	void SetupViewFamily(FSceneViewFamily&) override {}
+	void SetupView(FSceneViewFamily&, FSceneView&) override {}
+	void BeginRenderViewFamily(FSceneViewFamily& InFamily) override { Family = &InFamily; }
+	void PreRenderViewFamily_RenderThread(FRDGBuilder&, FSceneViewFamily&) override { Calls += "begin "; }
+	void PrePostProcessPass_RenderThread(FRDGBuilder&, const FSceneView&, const FPostProcessingInputs&) override
+	{
+		Calls += "post-process ";
+	}
+	void PostRenderView_RenderThread(FRDGBuilder&, FSceneView&) override { Calls += "end"; }
+
+	std::string& Calls;
+	FSceneViewFamily* Family = nullptr;
+};
+
+TEST(RenderFrame, CallsTheEnginesDelegatesAtTheirPlaces)
+{
+	std::string Calls;
+	bool bCover = false;
+	const auto Extension = FSceneViewExtensions::NewExtension<FNotingExtension>(Calls);
+	const FDelegateHandle Pre = GEngine->GetPreRenderDelegateEx().AddLambda([&](FRDGBuilder&) { Calls += "pre "; });
+	const FDelegateHandle Resolved = GetRendererModule().GetResolvedSceneColorCallbacks().AddLambda(
+		[&](FRDGBuilder& GraphBuilder, const FSceneTextures& SceneTextures)
+		{
+			Calls += "resolved ";
+			AddClearRenderTargetPass(GraphBuilder, SceneTextures.Color.Target, FLinearColor::Green);
+		});
+	const FDelegateHandle Opaque =
+		GetRendererModule().RegisterPostOpaqueRenderDelegate(FPostOpaqueRenderDelegate::CreateLambda(
+			[&](FPostOpaqueRenderParameters& Parameters)
+			{
+				Calls += "opaque ";
+				EXPECT_EQ(Parameters.ViewportRect, Parameters.View->ViewRect);
+				EXPECT_EQ(Parameters.ViewMatrix.M[3][0], Parameters.View->ViewMatrices.GetViewMatrix().M[3][0]);
+				EXPECT_EQ(Parameters.ProjMatrix.M[0][0], Parameters.View->ViewMatrices.GetProjectionMatrix().M[0][0]);
+				EXPECT_EQ(
+					Parameters.ColorTexture, Parameters.SceneTexturesUniformParams->GetParameters()->SceneColorTexture);
+				AddClearRenderTargetPass(*Parameters.GraphBuilder, Parameters.ColorTexture, FLinearColor::Red);
+			}));
+	const FDelegateHandle Overlay = GetRendererModule().RegisterOverlayRenderDelegate(
+		FPostOpaqueRenderDelegate::CreateLambda([&](FPostOpaqueRenderParameters&) { Calls += "overlay "; }));
+	const FDelegateHandle Post = GEngine->GetPostRenderDelegateEx().AddLambda(
+		[&](FRDGBuilder& GraphBuilder)
+		{
+			Calls += "post ";
+			if (bCover)
+			{
+				AddClearRenderTargetPass(
+					GraphBuilder, TryCreateViewFamilyTexture(GraphBuilder, *Extension->Family), FLinearColor::Blue);
+			}
+		});
+	const FLinearColor Drawn = RenderFrame(MakeDesc()).Color[0];
+	EXPECT_EQ("begin pre opaque overlay resolved post-process post end", Calls);
+	EXPECT_GT(Drawn.G, 2 * Drawn.R); // the scene was grey
+	bCover = true;
+	EXPECT_EQ(FLinearColor(0.0f, 0.0f, 1.0f, 1.0f), RenderFrame(MakeDesc()).Color[0]);
+	GEngine->GetPreRenderDelegateEx().Remove(Pre);
+	GEngine->GetPostRenderDelegateEx().Remove(Post);
+	GetRendererModule().GetResolvedSceneColorCallbacks().Remove(Resolved);
+	const FLinearColor Red = RenderFrame(MakeDesc()).Color[0];
+	EXPECT_GT(Red.R, 2 * Red.G); // nothing of it is green again
+	GetRendererModule().RemovePostOpaqueRenderDelegate(Opaque);
+	GetRendererModule().RemoveOverlayRenderDelegate(Overlay);
+	Calls.clear();
+	RenderFrame(MakeDesc());
+	EXPECT_EQ("begin post-process end", Calls);
 }
 
 TEST(RenderFrame, CallsEveryHookOnce)

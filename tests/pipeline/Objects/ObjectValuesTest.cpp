@@ -9,6 +9,7 @@
 #include "Picture/ImageFile.h"
 #include "PostProcessSettingsReflection.h"
 #include "PostProcessSettingsText.h"
+#include "RangeTools.h"
 #include "Run/Run.h"
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
@@ -97,7 +98,8 @@ protected:
 } // namespace
 
 // Config/DefaultGame.ini: Tint (0.5, 2, 1), Weights.Scale 2, Lift.Y 0.5, Offsets 0.125 + 0.25, Secret 0.5, the Label,
-// which adds 1; DefaultEngine.ini: r.Tuned.Gain 4. Nothing is blended: TunedGlow 0, TunedColor white, TunedMix Replace.
+// which adds 1; DefaultEngine.ini: r.Tuned.Gain 4, r.Tuned.On True, without which red is 64 more. Nothing is blended:
+// TunedGlow 0, TunedColor white, TunedMix Replace.
 TEST_F(ObjectValues, IniFilesAreReadBeforeTheFirstFrame)
 {
 	ExpectPicture(RunConfig(MakeOptions("")), {0.5 * 2.0, 2.0 * 4.0, 0.0}, {0.5, 0.5, 0.375 + 1.0});
@@ -135,6 +137,44 @@ TEST_F(ObjectValues, ATexturePropertyIsGivenAPicture)
 		ElementsAre(AllOf(HasSubstr("/objects/UTunedSettings/Mask"), HasSubstr("nowhere.png"))));
 	EXPECT_THAT(GetErrors(R"(, "objects": {"UTunedSettings": {"Mask": "/Game/A.A"}})"),
 		ElementsAre(AllOf(HasSubstr("2122"), HasSubstr("the name of a picture file"))));
+}
+
+// Render targets of "assets" reach fields, calls and LoadObject, and are written as they are after the frame; a picture
+// reaches a call. A later run of the process begins with a cleared target.
+TEST_F(ObjectValues, RenderTargetsAreGivenAndWritten)
+{
+	const Files::path Png = Scene.string() + ".three.png";
+	WritePng(Png.string(), FImage{3, 1, 3, std::vector<double>(9, 1.0)});
+	const std::string Assets = R"(, "assets": {
+		"RT_A": {"SizeX": 5, "SizeY": 2, "RenderTargetFormat": "RTF_RGBA32f", "bCanCreateUAV": true},
+		"/Game/RT_B": {"SizeX": 1, "SizeY": 1},
+		"RT_Asset": {"SizeX": 2, "SizeY": 2, "ClearColor": [0.5, 0, 0, 1]},
+		"T_Three": {"file": ")" +
+							   Png.filename().string() + R"("}})";
+	const auto Find = [](const FRunResult& Result, const std::string& Name)
+	{
+		const FRunDump* const Dump = FindItem(Result.Dumps, Name, &FRunDump::Resource);
+		return Dump != nullptr ? Dump->Image.Crop({0, 0, 1, 1}).ToImage().Values : std::vector<double>();
+	};
+	const FRunResult Result = RunConfig(MakeOptions(Assets + R"(, "objects": {"ATunedActor": {
+		"Target": "/Game/RT_B.RT_B", "call": [{"Paint": ["RT_A", "T_Three"]}, "PaintAsset"]}})"));
+	EXPECT_THAT(Find(Result, "RT_A"), ElementsAre(3, 0.25, 0.5, 1));
+	EXPECT_THAT(Find(Result, "/Game/RT_B"), ElementsAre(0, 3, 0, 1));
+	EXPECT_THAT(Find(Result, "RT_Asset"), ElementsAre(4, 3, 2, 1));
+	EXPECT_EQ(5, FindItem(Result.Dumps, std::string("RT_A"), &FRunDump::Resource)->Image.Width);
+	const FRunResult Unused =
+		RunConfig(MakeOptions(Assets + R"(, "objects": {"ATunedActor": {"Target": "RT_Asset"}})"));
+	EXPECT_THAT(Find(Unused, "RT_Asset"), ElementsAre(0.5, 0, 0, 1));
+	EXPECT_THAT(
+		GetErrors(
+			Assets + R"(, "objects": {"ATunedActor": {"Target": "T_Three", "call": [{"Paint": ["RT_A", "RT_A"]}]}})"),
+		ElementsAre(AllOf(HasSubstr("2122 /objects/ATunedActor/Target"), HasSubstr("of that class")),
+			AllOf(HasSubstr("2122 /objects/ATunedActor/call/0/Paint/1"), HasSubstr("of that class"))));
+	EXPECT_THAT(
+		GetErrors(R"(, "assets": {"A": {"SizeX": 0, "SizeY": 1.5}, "B": {"file": "x.png", "SizeX": 1}, "C": {}})"),
+		ElementsAre(HasSubstr("/assets/A/SizeX"), HasSubstr("/assets/A/SizeY"), HasSubstr("/assets/B"),
+			HasSubstr("/assets/C")));
+	Files::remove(Png);
 }
 
 TEST_F(ObjectValues, ClassesMayBeNamedWithoutTheirPrefixAndByPath)
@@ -190,7 +230,7 @@ TEST_F(ObjectValues, MistakesNameTheClassTheFieldAndTheNearestName)
 			HasSubstr("2122 /objects/UTunedSettings/Weights/Lift: expected [X, Y, Z]"),
 			HasSubstr(
 				"2122 /objects/UTunedSettings/Mask: UTunedSettings::Mask (TObjectPtr<UTexture2D>): expected the name "
-				"of a picture file, found \"/Game/A.A\""),
+				"of a picture file, or of an entry of \"assets\", of that class, found \"/Game/A.A\""),
 			HasSubstr("2121 /objects/UTunedSettings/OnlyInTheEditor")));
 	EXPECT_THAT(GetErrors(R"(, "camera": {"Settings": {"TunedGlw": 1}})"),
 		ElementsAre("1012 /camera/Settings/TunedGlw: unknown setting; did you mean TunedGlow?"));

@@ -91,6 +91,29 @@ TEST(Ticking, TheConfigCallsFunctions)
 	EXPECT_EQ(8 + 0.25 * 17, GetBlue("8") - Blue);
 }
 
+TEST(Ticking, AComponentThatTheConfigNamesIsPlaced)
+{
+	const auto GetRed = [](const std::string& Objects)
+	{
+		return GetColor(FRunSession(MakeOptions(Objects)).Run(1, {}))[0];
+	};
+	EXPECT_EQ(0.0, GetRed(""));
+	EXPECT_EQ(1024 * 3.0, GetRed(R"("ULevelComponent": {"Amount": 3, "call": []})"));
+	EXPECT_EQ(1024 * 6.0, GetRed(R"("ULevelComponent": {"Amount": 3, "call": ["Double"]})"));
+	EXPECT_EQ(1024 * 0.5, GetRed(R"("UTickingComponent": {})"));
+	// The actor has one, whatever comes first.
+	EXPECT_EQ(0.25, GetRed(R"("UTickingComponent": {}, "ATickingActor": {})"));
+	EXPECT_EQ(0.0, GetRed("")); // nothing of it stays
+}
+
+TEST(Ticking, AnActionThatAFunctionReturnsIsActivated)
+{
+	const std::string Actor = R"("ATickingActor": {"call": [{"SetGlow": ["Glowing", [0, 0, 0], "name"]}]})";
+	const double Before = GetColor(FRunSession(MakeOptions(Actor)).Run(1, {}))[0];
+	const std::string Call = Actor + R"(, "UTickingAction": {"call": [{"AddLater": [null, 0.5]}]})";
+	EXPECT_EQ(0.5, GetColor(FRunSession(MakeOptions(Call)).Run(1, {}))[0] - Before);
+}
+
 TEST(Ticking, WhatCannotBeCalledIsToldAtItsPlace)
 {
 	EXPECT_THAT(GetErrors(R"("ATickingActor": {"call": [{"SetGlov": []}, "OnGlow", "Undefined"]})"),
@@ -108,4 +131,7 @@ TEST(Ticking, WhatCannotBeCalledIsToldAtItsPlace)
 			HasSubstr("2122 /objects/ATickingActor/call/3: expected a function's name, or an object with one name")));
 	EXPECT_THAT(GetErrors(R"("ATickingActor": {"call": {"SetFactor": [1]}})"),
 		ElementsAre(HasSubstr("2122 /objects/ATickingActor/call: expected a list of calls")));
+	EXPECT_THAT(GetErrors(R"("UTickingLibrary": {"call": [{"Say": [1]}]})"),
+		ElementsAre(HasSubstr("2123 /objects/UTickingLibrary/call/0: Say is not called: there is no object of "
+							  "UTickingLibrary")));
 }

@@ -40,8 +40,8 @@ TEST(MissingNames, EachCompilersSentencesAreRead)
 		{"'FApp' has not been declared", "FApp", "name", ""},
 		{"invalid use of incomplete type 'class UGone'", "UGone", "type", ""},
 		{"Lib/Absent.h: No such file or directory", "Lib/Absent.h", "header", ""},
-		{"'virtual void FTint::Gone(int)' marked 'override', but does not override", "virtual void FTint::Gone(int)",
-			"override", ""},
+		{"'virtual void FTint::Gone(int)' marked 'override', but does not override", "FTint::Gone", "override", ""},
+		{"no base class 'APawn'", "APawn", "base class", ""},
 		{"undefined reference to `Missing()'", "Missing()", "definition", ""},
 		{"use of undeclared identifier 'FVektor'; did you mean 'FVector'?", "FVektor", "name", "did you mean FVector?"},
 		{"unknown type name 'FGone'", "FGone", "type", ""},
@@ -78,12 +78,35 @@ TEST(MissingNames, ANameIsToldOnceWithItsCount)
 		FormatMissingNames(Names, "  "));
 }
 
+TEST(MissingNames, BaseClassesAreFirst)
+{
+	std::vector<FCompilerMessage> Others;
+	const std::vector<FMissingName> Names = FindMissingNames(
+		{{"a.cpp", 7, "'FGone' was not declared in this scope"}, {"b.h", 8, "no base class 'APawn'"}}, {}, Others);
+	ASSERT_EQ(2u, Names.size());
+	EXPECT_EQ("APawn", Names[0].Name);
+	EXPECT_EQ("FGone", Names[1].Name);
+}
+
+TEST(MissingNames, ALongNameDoesNotWidenTheTable)
+{
+	const std::string Table =
+		FormatMissingNames({{std::string(40, 'A') + std::string(40, 'B'), "name", 1, "a.cpp:1", ""}}, "");
+	EXPECT_EQ("missing" + std::string(41, ' ') + "  kind  uses  first place\n" + std::string(23, 'A') + "..." +
+				  std::string(22, 'B') + "  name     1  a.cpp:1\n",
+		Table);
+}
+
 TEST(MissingNames, TheHeaderThatIsTakenAsEmptyIsNamed)
 {
 	const std::vector<std::string> Notes = {
-		"there is no CompGeom/Delaunay2.h here, it is taken as empty (for /p/a.cpp)"};
-	EXPECT_EQ("drydock has nothing of CompGeom/Delaunay2.h", FindOne("'FDelaunay2' was not declared", Notes).Instead);
-	EXPECT_EQ("drydock has nothing of CompGeom/Delaunay2.h",
+		"there is no CompGeom/Delaunay2.h here, it is taken as empty (for /p/a.cpp)",
+		"there is no MeshThing.inl here, it is taken as empty (for /p/a.cpp)"};
+	EXPECT_EQ(
+		"neither drydock nor the plugin has MeshThing.inl", FindOne("'FMeshThing' was not declared", Notes).Instead);
+	EXPECT_EQ("neither drydock nor the plugin has CompGeom/Delaunay2.h",
+		FindOne("'FDelaunay2' was not declared", Notes).Instead);
+	EXPECT_EQ("neither drydock nor the plugin has CompGeom/Delaunay2.h",
 		FindOne("'UE::Geometry::FDelaunay2' has not been declared", Notes).Instead);
 	EXPECT_EQ("", FindOne("'FDelaunay' was not declared", Notes).Instead);
 }

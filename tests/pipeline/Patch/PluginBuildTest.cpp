@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "DiagnosticList.h"
 #include "Diagnostics.h"
 #include "Patch/PatchErrors.h"
 #include "Patch/PluginBuild.h"
@@ -78,6 +79,8 @@ TEST_F(PluginBuild, IsFoundBuiltAndLoaded)
 	Write("Plugins/Tint/Source/TintTools/TintTools.Build.cs", "");
 	Write("Plugins/Tint/Source/TintTools/Private/Tools.cpp", "#error an editor's module\n");
 	Write("Plugins/Tint/Source/Tint/Private/TintPanel.cpp", "#include \"Widgets/SPanel.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/TintSheet.h", "#include \"Widgets/STable.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/TintSheet.cpp", "#include \"TintSheet.h\"\n");
 	Write("Plugins/Tint/Source/Tint/Private/Old.cpp", "#error left out by its name\n");
 	Write("Plugins/Tint/Source/Tint/Public/TintActor.h", R"(#pragma once
 #include "TintActor.generated.h"
@@ -115,6 +118,9 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_THAT(
 		Built.Notes, testing::Contains("left out Source/Tint/Private/TintPanel.cpp: it includes Widgets/SPanel.h, "
 									   "and there is no editor and no Slate"));
+	EXPECT_THAT(Built.Notes,
+		testing::Contains("left out Source/Tint/Private/TintSheet.cpp: it includes TintSheet.h, which includes "
+						  "Widgets/STable.h, and there is no editor and no Slate"));
 	EXPECT_THAT(
 		Built.Notes, testing::Contains("left out Source/Tint/Private/Old.cpp: EXCLUDE Source/Tint/Private/Old.*"));
 	EXPECT_THAT(Built.Notes,
@@ -181,15 +187,12 @@ TEST_F(PluginBuild, MistakesAreNumbered)
 	EXPECT_THAT(Message, testing::HasSubstr("no sources found"));
 }
 
-TEST_F(PluginBuild, AMissingDelegateOfTheRendererHasItsWayRound)
+TEST_F(PluginBuild, WhatIsKnownToBeOtherwiseHasItsWayRound)
 {
 	const std::string Source = "Plugins/Tint/Source/Tint/Private/Tint.cpp";
-	Write(Source, "#include \"EngineModule.h\"\nvoid F() { GetRendererModule().RegisterPostOpaqueRenderDelegate(0); }\n"
-				  "struct FGlow : TRenderingCompositePassBase<1, 1>\n{\n};\n");
+	Write(Source, "struct FGlow : TRenderingCompositePassBase<1, 1>\n{\n};\n");
 	const auto [Number, Message] = Refuse(Describe());
 	EXPECT_EQ(ErrorPluginNotCompiled, Number);
-	EXPECT_THAT(Message, testing::HasSubstr("drydock does not have RegisterPostOpaqueRenderDelegate: add the pass in "
-											"PrePostProcessPass_RenderThread of a view extension"));
 	EXPECT_THAT(
 		Message, testing::HasSubstr("TRenderingCompositePassBase belongs to UE4's composition graph, which Unreal 5 "
 									"does not have: write a function that adds the pass with an FRDGBuilder"));
@@ -264,10 +267,69 @@ TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
 		};
 		EXPECT_THAT(Message, testing::HasSubstr("does not compile: 3 names are missing here\n"));
 		EXPECT_THAT(Message, Row("FSceneView::NoSuchMember", "member", "2", "A.cpp:3", ""));
-		EXPECT_THAT(
-			Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4", " +drydock has nothing of CompGeom/Delaunay2.h"));
+		EXPECT_THAT(Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4",
+								 " +neither drydock nor the plugin has CompGeom/Delaunay2.h"));
 		EXPECT_THAT(Message, Row("FLinearColour", "type", "1", "B.cpp:3", " +did you mean FLinearColor[?]"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  left out module TintTools: it is of type Editor\n"));
+	}
+}
+
+// An actor of a class that is not here, an .inl that is not here, many names, an engine too old.
+TEST_F(PluginBuild, AMissingBaseClassIsTheFirstRowOfAWholeTable)
+{
+	Write("Plugins/Tint/Tint.uplugin",
+		R"({"EngineVersion": "4.26.0", "Modules": [{"Name": "Tint", "Type": "Runtime"}]})");
+	Write("Plugins/Tint/Source/Tint/Public/TintThing.h", R"(#pragma once
+#include "TintThing.generated.h"
+UCLASS()
+class ATintThing : public ANoSuchActor
+{
+	GENERATED_BODY()
+	ATintThing();
+	void BeginPlay() override;
+};
+)");
+	Write("Plugins/Tint/Source/Tint/Private/A.cpp", R"(#include "TintThing.h"
+#include "NoSuchActor.inl"
+ATintThing::ATintThing()
+{
+	PrimaryActorTick.bCanEverTick = true;
+}
+void ATintThing::BeginPlay()
+{
+	Super::BeginPlay();
+	GetWorld();
+}
+)");
+	std::string Many;
+	for (int Index = 0; Index < 60; ++Index)
+	{
+		Many +=
+			"int F" + std::to_string(Index) + "() { return FNoSuchNameOfThePlugin" + std::to_string(Index) + "(); }\n";
+	}
+	Write("Plugins/Tint/Source/Tint/Private/B.cpp", Many);
+	for (const char* const Compiler : {"g++", "clang++"})
+	{
+		if (std::system(("which " + std::string(Compiler) + " >/dev/null").c_str()) != 0)
+		{
+			continue;
+		}
+		SCOPED_TRACE(Compiler);
+		Files::remove_all(Root / "build");
+		FPluginBuild Build = Describe();
+		Build.Compiler = Compiler;
+		const std::string Message = SummarizeDiagnostics({{.Message = Refuse(Build).second}}).front().Message;
+		EXPECT_THAT(Message,
+			testing::StartsWith("it is for engine 4.26, and drydock knows 5.1 to 5.8; does not compile: 61 names are "
+								"missing here\n"));
+		EXPECT_THAT(
+			Message, testing::ContainsRegex(
+						 "first place *\n  ANoSuchActor +base class +[12]  Source/Tint/Public/TintThing.h:[45]  "
+						 "neither drydock nor the plugin has NoSuchActor.inl\n"));
+		EXPECT_THAT(Message, testing::HasSubstr("\n  FNoSuchNameOfThePlugin59 "));
+		EXPECT_THAT(
+			Message, testing::ContainsRegex("more errors, which may follow from the missing base classes: .*GetWorld"));
+		EXPECT_THAT(Message, testing::HasSubstr("full log: "));
 	}
 }
 

@@ -35,6 +35,8 @@ struct TRotator
 	}
 
 	constexpr bool operator==(const TRotator&) const = default;
+	constexpr TRotator operator*(T Scale) const { return {Pitch * Scale, Yaw * Scale, Roll * Scale}; }
+	friend constexpr TRotator operator*(T Scale, const TRotator& Rotator) { return Rotator * Scale; }
 	bool Equals(const TRotator& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const
 	{
 		return std::fabs(Pitch - Other.Pitch) <= Tolerance && std::fabs(Yaw - Other.Yaw) <= Tolerance &&

@@ -353,6 +353,12 @@ struct FMath
 	{
 		return Min + (Max - Min) * FRand();
 	}
+	template<typename A, typename B>
+	requires(std::is_arithmetic_v<A>&& std::is_arithmetic_v<B> &&
+			 !(std::is_floating_point_v<A> && std::is_same_v<A, B>)) static double FRandRange(A Min, B Max)
+	{
+		return FRandRange(static_cast<double>(Min), static_cast<double>(Max));
+	}
 	static double FRandRange(double Min, double Max)
 	{
 		return Min + (Max - Min) * static_cast<double>(FRand());

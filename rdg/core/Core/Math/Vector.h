@@ -86,6 +86,14 @@ struct TVector
 	static constexpr TVector CrossProduct(const TVector& A, const TVector& B) { return A ^ B; }
 	static T Dist(const TVector& A, const TVector& B) { return (B - A).Size(); }
 	static T Distance(const TVector& A, const TVector& B) { return Dist(A, B); }
+	/** Without Z. */
+	static T Dist2D(const TVector& A, const TVector& B) { return std::sqrt(DistSquared2D(A, B)); }
+	static T DistXY(const TVector& A, const TVector& B) { return Dist2D(A, B); }
+	static constexpr T DistSquared2D(const TVector& A, const TVector& B)
+	{
+		return (B.X - A.X) * (B.X - A.X) + (B.Y - A.Y) * (B.Y - A.Y);
+	}
+	static constexpr T DistSquaredXY(const TVector& A, const TVector& B) { return DistSquared2D(A, B); }
 	static constexpr T DistSquared(const TVector& A, const TVector& B) { return (B - A).SizeSquared(); }
 	static constexpr TVector Min(const TVector& A, const TVector& B) { return A.ComponentMin(B); }
 	static constexpr TVector Max(const TVector& A, const TVector& B) { return A.ComponentMax(B); }

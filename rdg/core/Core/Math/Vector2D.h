@@ -87,6 +87,13 @@ struct TVector2
 	constexpr T GetAbsMax() const { return GetAbs().GetMax(); }
 	constexpr TVector2 GetAbs() const { return {FMath::Abs(X), FMath::Abs(Y)}; }
 	/** The vector with length 1, or zero if the squared length is below the tolerance. */
+	/** Makes it of length 1; (0, 0) where it is shorter than Tolerance's root, and false. */
+	bool Normalize(T Tolerance = UE_SMALL_NUMBER)
+	{
+		const bool bLong = SizeSquared() > Tolerance;
+		*this = GetSafeNormal(Tolerance);
+		return bLong;
+	}
 	TVector2 GetSafeNormal(T Tolerance = UE_SMALL_NUMBER) const
 	{
 		const T Squared = SizeSquared();

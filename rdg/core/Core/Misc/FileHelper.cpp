@@ -51,13 +51,22 @@ bool FFileHelper::LoadFileToString(FString& Result, const TCHAR* Filename)
 	return true;
 }
 
-bool FFileHelper::SaveStringToFile(
-	const FString& Text, const TCHAR* Filename, EEncodingOptions, IFileManager*, uint32 WriteFlags)
+bool FFileHelper::SaveArrayToFile(
+	TArrayView<const uint8> Array, const TCHAR* Filename, IFileManager*, uint32 WriteFlags)
 {
 	const auto Mode = (WriteFlags & FILEWRITE_Append) != 0 ? std::ios::app : std::ios::trunc;
 	std::ofstream File(Filename, std::ios::binary | std::ios::out | Mode);
-	File << Text.ToStdString();
+	File.write(reinterpret_cast<const char*>(Array.GetData()), Array.Num());
 	return static_cast<bool>(File.flush());
+}
+
+bool FFileHelper::SaveStringToFile(
+	const FString& Text, const TCHAR* Filename, EEncodingOptions, IFileManager* FileManager, uint32 WriteFlags)
+{
+	const std::string Bytes = Text.ToStdString();
+	return SaveArrayToFile(
+		TArrayView<const uint8>(reinterpret_cast<const uint8*>(Bytes.data()), static_cast<int32>(Bytes.size())),
+		Filename, FileManager, WriteFlags);
 }
 
 bool FFileHelper::LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename)

@@ -100,5 +100,5 @@ void Drydock::SayNeutral(const TCHAR* Name, const TCHAR* What)
 void Drydock::WarnOfMissingAsset(const TCHAR* Path)
 {
 	SayNeutral(*FString::Printf("Failed to find object '%s'", Path != nullptr ? Path : ""),
-		"no asset is loaded here, and the answer is null");
+		"the answer is null; \"assets\" of the config gives a picture or a render target for a path");
 }

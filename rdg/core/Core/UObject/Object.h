@@ -90,6 +90,8 @@ public:
 	virtual void PostInitProperties() {}
 	virtual void PostLoad() {}
 	virtual void BeginDestroy() {}
+	/** Never called: nothing is saved or loaded. */
+	virtual void Serialize(class FArchive&) {}
 	/** Never called: nothing is edited. */
 	virtual void PostEditChangeProperty(FPropertyChangedEvent&) {}
 	/** Two objects that live at one time have two numbers. */
@@ -110,6 +112,10 @@ public:
 		Drydock::FinishNewObject(*Result, typeid(T));
 		return Result;
 	}
+	/** Nothing is collected here, rooted or not. */
+	void AddToRoot() { bRooted = true; }
+	void RemoveFromRoot() { bRooted = false; }
+	bool IsRooted() const { return bRooted; }
 	FString GetName() const { return Name.ToString(); }
 	FName GetFName() const { return Name; }
 	/** It is its class's default object. */
@@ -126,6 +132,7 @@ private:
 	uint32 UniqueID = MakeUniqueID();
 	UObject* Outer = nullptr;
 	bool bTemplate = false;
+	bool bRooted = false;
 	std::vector<std::shared_ptr<UObjectBase>> Parts;
 };
 
@@ -175,19 +182,30 @@ T* NewObject(UObject* Outer = nullptr, FName Name = NAME_None)
 namespace Drydock
 {
 
-/** Says, once for each path, that no asset is loaded. */
+/** The object that the run's config gives for that path or name ("assets"); null: none. */
+DRYDOCK_API UObject* FindAsset(const TCHAR* Path);
+/** Says, once for each path, that the config gives no asset of it and that class. */
 DRYDOCK_API void WarnOfMissingAsset(const TCHAR* Path);
 /** Says once for each name what a call of it does here, where that is not what the engine does. */
 DRYDOCK_API void SayNeutral(const TCHAR* Name, const TCHAR* What);
 
 } // namespace Drydock
 
-/** In the engine the asset of that path. No asset is loaded here: null, with a warning that names the path. */
+/** The asset that the config gives for that path ("assets"). Null if there is none of that class, with a warning that
+ * names the path. */
 template<typename T>
 T* LoadObject(UObject*, const TCHAR* Path, const TCHAR* = nullptr, uint32 = 0)
 {
-	Drydock::WarnOfMissingAsset(Path);
-	return nullptr;
+	T* Asset = nullptr;
+	if constexpr (requires(UObject * Object) { dynamic_cast<T*>(Object); }) // T is complete
+	{
+		Asset = dynamic_cast<T*>(Drydock::FindAsset(Path));
+	}
+	if (Asset == nullptr)
+	{
+		Drydock::WarnOfMissingAsset(Path);
+	}
+	return Asset;
 }
 /** Null: objects are not found by their names. */
 template<typename T>
@@ -196,7 +214,7 @@ T* FindObject(UObject*, const TCHAR*, bool = false)
 	return nullptr;
 }
 
-/** The path of an asset, which is not loaded here. */
+/** The path of an asset. */
 class FSoftObjectPath
 {
 public:
@@ -214,9 +232,8 @@ public:
 	FString GetAssetPathString() const { return Path; }
 	bool IsNull() const { return Path.IsEmpty(); }
 	bool IsValid() const { return !IsNull(); }
-	/** Null: nothing is loaded. */
-	UObject* ResolveObject() const { return nullptr; }
-	/** Null, with a warning that names the path. */
+	UObject* ResolveObject() const { return Drydock::FindAsset(*Path); }
+	/** As LoadObject. */
 	UObject* TryLoad() const { return LoadObject<UObject>(nullptr, *Path); }
 
 private:
@@ -317,7 +334,7 @@ class TSoftObjectPtr : public TObjectPtr<T>
 public:
 	using TObjectPtr<T>::TObjectPtr;
 	TSoftObjectPtr() = default;
-	/** The object of a path (null, as no asset is loaded), or an object of another static type. */
+	/** The object of a path, or an object of another static type. */
 	explicit TSoftObjectPtr(UObject* Object) requires(!std::is_same_v<T, UObject>)
 		: TObjectPtr<T>(Cast<T>(Object))
 	{
@@ -335,11 +352,7 @@ public:
 	bool IsValid() const { return !IsNull(); }
 	T* LoadSynchronous() const
 	{
-		if (IsNull() && !Path.IsNull())
-		{
-			Drydock::WarnOfMissingAsset(*Path.ToString());
-		}
-		return this->Get();
+		return IsNull() && !Path.IsNull() ? LoadObject<T>(nullptr, *Path.ToString()) : this->Get();
 	}
 
 private:

@@ -1,4 +1,5 @@
 // Reads and writes values of properties: what a type takes is checked first, then all of it is written.
+#include "UObject/Assets.h"
 #include "UObject/Reflection.h"
 
 #include "Diagnostics.h"
@@ -25,6 +26,12 @@ bool Refuse(
 		OutProblem.Message = "expected " + DescribeExpected(Type) + ", found a number";
 	}
 	return false;
+}
+
+/** The object that is given, or that a text names. */
+FGivenAsset FindObject(const FPropertyValue& Value)
+{
+	return Value.Kind == EKind::Text ? FindGivenAsset(Value.Text) : FGivenAsset{Value.Object, ""};
 }
 
 std::vector<std::string> GetEnumNames(const FPropertyType& Type)
@@ -194,14 +201,22 @@ bool Check(
 	case EPropertyKind::Struct:
 		return CheckStruct(Type, Value, Path, OutProblem);
 	case EPropertyKind::Object:
-		if (Type.SetObject != nullptr)
+		if (Type.SetObject == nullptr)
 		{
-			bTaken = Value.Kind == EKind::Object;
-			break;
+			OutProblem = {FPropertyProblem::EKind::NotGiven, Path,
+				"of objects and assets only textures can be given; set it in the plugin's code"};
+			return false;
 		}
-		OutProblem = {FPropertyProblem::EKind::NotGiven, Path,
-			"of objects and assets only textures can be given, as picture files; set it in the plugin's code"};
-		return false;
+		if (const FGivenAsset Given = FindObject(Value); Given.Problem.empty())
+		{
+			bTaken = (Given.Asset != nullptr || Value.Kind == EKind::Object) && (*Type.SetObject)(nullptr, Given.Asset);
+		}
+		else
+		{
+			OutProblem = {FPropertyProblem::EKind::WrongValue, Path, Given.Problem};
+			return false;
+		}
+		break;
 	case EPropertyKind::Other:
 		OutProblem = {FPropertyProblem::EKind::NotGiven, Path, "values of this type cannot be given"};
 		return false;
@@ -259,7 +274,7 @@ void Write(const FPropertyType& Type, void* Address, const FPropertyValue& Value
 		}
 		break;
 	case EPropertyKind::Object:
-		(*Type.SetObject)(Address, Value.Object);
+		(*Type.SetObject)(Address, FindObject(Value).Asset);
 		break;
 	case EPropertyKind::Other:
 		break;
@@ -303,7 +318,8 @@ std::string DescribeExpected(const FPropertyType& Type)
 	case EPropertyKind::Struct:
 		return "the struct's fields by name";
 	case EPropertyKind::Object:
-		return Type.SetObject != nullptr ? "the name of a picture file" : "nothing";
+		return Type.SetObject != nullptr ? "the name of a picture file, or of an entry of \"assets\", of that class"
+										 : "nothing";
 	case EPropertyKind::Other:
 		break;
 	}

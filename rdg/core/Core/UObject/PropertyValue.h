@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+class UObject;
+
 namespace Drydock
 {
 
@@ -30,7 +32,7 @@ struct FPropertyValue
 	double Real = 0.0; // of Whole too
 	std::string Text = {};
 	std::vector<std::pair<std::string, FPropertyValue>> Items = {};
-	void* Object = nullptr; // of the class that the property points to
+	UObject* Object = nullptr;
 
 	static FPropertyValue MakeBool(bool bValue) { return {.Kind = EKind::Bool, .bBool = bValue}; }
 	static FPropertyValue MakeWhole(int64 Value)
@@ -41,7 +43,7 @@ struct FPropertyValue
 	DRYDOCK_API static FPropertyValue MakeNumber(double Value);
 	static FPropertyValue MakeText(std::string Value) { return {.Kind = EKind::Text, .Text = std::move(Value)}; }
 	static FPropertyValue MakeList() { return {.Kind = EKind::List}; }
-	static FPropertyValue MakeObject(void* Value) { return {.Kind = EKind::Object, .Object = Value}; }
+	static FPropertyValue MakeObject(UObject* Value) { return {.Kind = EKind::Object, .Object = Value}; }
 	static FPropertyValue MakeFields() { return {.Kind = EKind::Fields}; }
 
 	bool IsNumber() const { return Kind == EKind::Whole || Kind == EKind::Real; }

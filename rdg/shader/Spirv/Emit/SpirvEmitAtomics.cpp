@@ -79,7 +79,7 @@ std::string FSpirvEmitter::TileAtomics(const FSpirvInstruction& I)
 	if (Declared.insert(Name).second)
 	{
 		Handles += std::string("\tTTileAtomics<") + GetOperation(Kind->second, false) + ", N> " + Name + "(g" + Id +
-				   ", " + (bTyped ? "g" + Id + ".Storage == ETexelStorage::R32_UINT" : "true") + ");\n";
+				   ", " + (bTyped ? "HoldsWords(g" + Id + ".Storage)" : "true") + ");\n";
 		EndText += "\t" + Name + ".Finish();\n";
 	}
 	return Name;

@@ -108,3 +108,12 @@ TEST(NearestName, ATextOfMegabytesIsNoMisspelling)
 	EXPECT_EQ("", FindNearestName(std::string(10'000'000, 'x'), {"BloomIntensity", "xxxxxxx"}));
 	EXPECT_LT(std::chrono::steady_clock::now() - Begin, std::chrono::seconds(1));
 }
+
+TEST(DiagnosticList, ATableStaysWholeAndALongSentenceIsCut)
+{
+	const std::string Table = "names are missing\n" + std::string(60'000, 'x') + "\n";
+	EXPECT_EQ(Table, SummarizeDiagnostics({{.Message = Table}}).front().Message);
+	EXPECT_EQ(std::string(2000, 'x') + "...",
+		SummarizeDiagnostics({{.Message = std::string(2001, 'x') + "\n"}}).front().Message);
+	EXPECT_EQ(64'003u, SummarizeDiagnostics({{.Message = "a\n" + std::string(70'000, 'x')}}).front().Message.size());
+}

@@ -4,7 +4,7 @@
 
 #include "CoreMinimal.h"
 #include "Subsystems/EngineSubsystem.h"
-#include "UObject/Reflection.h"
+#include "UObject/ReflectionMake.h"
 
 #include <limits>
 

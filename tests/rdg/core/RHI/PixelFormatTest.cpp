@@ -56,7 +56,7 @@ TEST(PixelFormat, EveryStoredFormatFindsItselfByName)
 			EXPECT_EQ(Format, GPixelFormats[Format].UnrealFormat);
 		}
 	}
-	EXPECT_EQ(35, NumSupported);
+	EXPECT_EQ(36, NumSupported);
 }
 
 TEST(PixelFormat, Kinds)

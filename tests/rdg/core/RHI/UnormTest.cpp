@@ -211,6 +211,28 @@ TEST(Uint, IntegersBeyondTheRangeBecomeTheLargest)
 	EXPECT_EQ(5, Texel[1]);
 }
 
+TEST(Sint, NumbersOfEitherSignAreKept)
+{
+	for (const double Value : {-2147483648.0, -5.0, 0.0, 7.0, 2147483647.0})
+	{
+		const double RGBA[4] = {Value, 0, 0, 0};
+		int32_t Texel = 1;
+		double Out[4];
+		EncodeTexel(ETexelStorage::R32_SINT, RGBA, &Texel);
+		EXPECT_EQ(Value, Texel);
+		DecodeTexel(ETexelStorage::R32_SINT, &Texel, Out);
+		EXPECT_EQ(Value, Out[0]);
+	}
+	for (const auto& [Value, Expected] :
+		{std::pair(-1e10, INT32_MIN), std::pair(1e10, INT32_MAX), std::pair(std::nan(""), 0)})
+	{
+		const double RGBA[4] = {Value, 0, 0, 0};
+		int32_t Texel = 1;
+		EncodeTexel(ETexelStorage::R32_SINT, RGBA, &Texel);
+		EXPECT_EQ(Expected, Texel);
+	}
+}
+
 TEST(TexelStorage, BytesPerTexelIsWhatIsWritten)
 {
 	for (int32_t Storage = 0; Storage < int32_t(ETexelStorage::Count); ++Storage)

@@ -39,6 +39,16 @@ public:
 	}
 	static bool ShouldCompilePermutation(const FGlobalShaderPermutationParameters&) { return true; }
 
+	void SetParameters(FRHIBatchedShaderParameters& Batched, const FLinearColor& InTint, FRHITexture* Input,
+		FRHISamplerState* Sampler, FRHIUnorderedAccessView* View)
+	{
+		SetShaderValue(Batched, Tint, InTint);
+		SetShaderValue(Batched, Turn, FMatrix44f::Identity);
+		SetShaderValue(Batched, bDouble, true);
+		SetTextureParameter(Batched, InputTexture, InputSampler, Sampler, Input);
+		SetUAVParameter(Batched, OutputTexture, View);
+	}
+
 	LAYOUT_FIELD(FShaderParameter, Tint)
 	LAYOUT_FIELD(FShaderParameter, Turn);
 	LAYOUT_FIELD(FShaderParameter, Weights);
@@ -48,6 +58,27 @@ public:
 	LAYOUT_FIELD(FShaderResourceParameter, InputTexture);
 	LAYOUT_FIELD(FShaderResourceParameter, InputSampler);
 	LAYOUT_FIELD(FShaderResourceParameter, OutputTexture);
+};
+
+/** As published code writes it: a base class with a layout, and one name for what is read and written. */
+class FTestCountCS : public FGlobalShader
+{
+	DECLARE_SHADER_TYPE(FTestCountCS, Global);
+	DECLARE_INLINE_TYPE_LAYOUT(FTestCountCS, NonVirtual);
+
+public:
+	FTestCountCS() = default;
+	FTestCountCS(const ShaderMetaType::CompiledShaderInitializerType& Initializer)
+		: FGlobalShader(Initializer)
+	{
+		Tint.Bind(Initializer.ParameterMap, TEXT("Tint"));
+		Picture.Bind(Initializer.ParameterMap, TEXT("Picture"));
+		Counts.Bind(Initializer.ParameterMap, TEXT("Counts"));
+	}
+
+	LAYOUT_FIELD(FShaderParameter, Tint);
+	LAYOUT_FIELD(FRWShaderParameter, Picture);
+	LAYOUT_FIELD(FShaderResourceParameter, Counts);
 };
 
 class FTestNamedPS : public FGlobalShader
@@ -60,6 +91,10 @@ public:
 		: FGlobalShader(Initializer)
 	{
 		Tint.Bind(Initializer.ParameterMap, TEXT("Tint"));
+	}
+	void SetParameters(FRHIBatchedShaderParameters& Batched, const FLinearColor& InTint)
+	{
+		SetShaderValue(Batched, Tint, InTint);
 	}
 	LAYOUT_FIELD(FShaderParameter, Tint);
 };
@@ -77,6 +112,7 @@ public:
 };
 
 IMPLEMENT_SHADER_TYPE(, FTestNamedCS, TEXT("/DrydockTest/TestNamed.usf"), TEXT("MainCS"), SF_Compute);
+IMPLEMENT_SHADER_TYPE(, FTestCountCS, TEXT("/DrydockTest/TestNamed.usf"), TEXT("CountCS"), SF_Compute);
 IMPLEMENT_SHADER_TYPE(, FTestNamedPS, TEXT("/DrydockTest/TestNamed.usf"), TEXT("MainPS"), SF_Pixel);
 IMPLEMENT_SHADER_TYPE(, FTestNothingPS, TEXT("/DrydockTest/TestNamed.usf"), TEXT("NothingPS"), SF_Pixel);
 
@@ -153,6 +189,29 @@ TEST_F(FNamedParameters, AreSetAtOnce)
 	EXPECT_FALSE(FShaderParameter().IsBound());
 }
 
+TEST_F(FNamedParameters, OfTheListsBoundShaderWriteSignedIntegers)
+{
+	FRHICommandListImmediate& List = GRHICommandList.GetImmediateCommandList();
+	const TShaderMapRef<FTestCountCS> Count(GetGlobalShaderMap(GMaxRHIFeatureLevel));
+	const FBufferRHIRef Buffer =
+		RHICreateVertexBuffer(10 * sizeof(int32), BUF_UnorderedAccess, FRHIResourceCreateInfo(TEXT("Counts")));
+	const FUnorderedAccessViewRHIRef View = RHICreateUnorderedAccessView(Buffer, PF_R32_SINT);
+	List.ClearUAVUint(View, FUintVector4(0, 0, 0, 0));
+	List.SetComputeShader(Count.GetComputeShader());
+	FRHIComputeShader* const Bound = List.GetBoundComputeShader();
+	ASSERT_EQ(Count.GetComputeShader(), Bound);
+	SetShaderValue(List, Bound, Count->Tint, FLinearColor(1, 2, 3, 4));
+	EXPECT_TRUE(Count->Picture.IsUAVBound());
+	Count->Picture.SetTexture(List, Bound, Input, OutputView);
+	SetUAVParameter(List, Bound, Count->Counts, View);
+	DispatchComputeShader(List, Count, 1, 1, 1);
+	Count->Picture.UnsetUAV(List, Bound);
+	EXPECT_EQ(FLinearColor(1, 2, 3, 4), Output->ReadTexel(4, 2));
+	const int32* const Values = static_cast<const int32*>(RHILockBuffer(Buffer, 0, 40, RLM_ReadOnly));
+	EXPECT_THAT(std::vector<int32>(Values, Values + 10), testing::ElementsAre(5, 5, 5, 5, 5, -5, 5, 5, -64, -7));
+	RHIUnlockBuffer(Buffer);
+}
+
 TEST_F(FNamedParameters, AreSetInABatch)
 {
 	SetComputePipelineState(RHICmdList, Shader.GetComputeShader());
@@ -198,4 +257,20 @@ TEST_F(FNamedParameters, PixelShadersDrawWithThem)
 	{
 		EXPECT_THAT(Error.what(), HasSubstr("pixel shader FTestNamedPS reads 'Tint', and its parameters were not set"));
 	}
+}
+
+TEST_F(FNamedParameters, AreSetByTheClassItself)
+{
+	SetComputePipelineState(RHICmdList, Shader.GetComputeShader());
+	FRHIComputeCommandList& List = RHICmdList;
+	SetShaderParametersLegacyCS(List, Shader, FLinearColor(10, 20, 30, 40), Input, Sampler, OutputView);
+	List.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(FLinearColor(20, 80, 180, 320), Output->ReadTexel(2, 1));
+	const FLinearColor Drawn = Draw<FTestNamedPS>(
+		[this](FTestNamedPS&, FRHIPixelShader*)
+		{
+			const TShaderMapRef<FTestNamedPS> Named(GetGlobalShaderMap(GMaxRHIFeatureLevel));
+			SetShaderParametersLegacyPS(RHICmdList, Named, FLinearColor(5, 6, 7, 8));
+		});
+	EXPECT_EQ(FLinearColor(5, 6, 7, 8), Drawn);
 }

@@ -18,6 +18,8 @@
 
 static TAutoConsoleVariable<float> CVarTunedGain(TEXT("r.Tuned.Gain"), 1.0f, TEXT("Multiplies green."));
 
+static TAutoConsoleVariable<int32> CVarTunedOn(TEXT("r.Tuned.On"), 0, TEXT("0: red is 64 more."));
+
 enum class ETunedMix : uint8
 {
 	Replace,
@@ -93,7 +95,8 @@ private:
 				Settings->Tint.G * Color.G * CVarTunedGain.GetValueOnAnyThread(),
 				GTunedMix.Get(Final) == ETunedMix::Keep ? Color.B * Subsystem->BoostAtStart : 0.0f, 1.0f);
 		}
-		Parameters->Lift = FVector4f(GTunedGlow.Get(Final) + Settings->GetSecret(),
+		Parameters->Lift = FVector4f(
+			GTunedGlow.Get(Final) + Settings->GetSecret() + (CVarTunedOn.GetValueOnAnyThread() != 0 ? 0.0f : 64.0f),
 			static_cast<float>(Settings->Weights.Lift.Y) + (Settings->bInvert ? 16.0f : 0.0f),
 			Settings->GetSumOfOffsets() + (Settings->Label == TEXT("a \"tuned\" plugin; no comment") ? 1.0f : 0.0f),
 			0.0f);
