@@ -46,7 +46,7 @@ bool IsResource(const FSpirvVariable& Variable)
 bool IsTexCoord(const FSpirvModule& Module, const FSpirvVariable& Variable)
 {
 	return Module.ExecutionModel == ExecutionModelFragment && Variable.Storage == StorageInput &&
-		   Variable.BuiltIn == BuiltInNone && GetTexCoordIndex(Variable.Semantic) >= 0;
+		   Variable.BuiltIn == BuiltInNone && GetInterpolantIndex(Variable) >= 0;
 }
 
 /** Extensions that are more than names for readers. */
@@ -132,8 +132,7 @@ FVulkanModule MakeVulkanModule(const std::vector<uint32_t>& Words, const FSpirvM
 				}
 				else if (IsTexCoord(Module, Variable))
 				{
-					Put(Out, OpDecorate,
-						{Variable.Id, DecorationLocation, uint32_t(GetTexCoordIndex(Variable.Semantic))});
+					Put(Out, OpDecorate, {Variable.Id, DecorationLocation, uint32_t(GetInterpolantIndex(Variable))});
 				}
 			}
 		}
@@ -168,7 +167,7 @@ std::vector<uint32_t> GetTexCoordComponents(const FSpirvModule& Module)
 		const FSpirvType& Type = Module.GetType(Variable.Type);
 		const bool bArray = Type.Kind == ESpirvType::Array;
 		const FSpirvType& Element = bArray ? Module.GetType(Type.Element) : Type;
-		const size_t First = size_t(GetTexCoordIndex(Variable.Semantic));
+		const size_t First = size_t(GetInterpolantIndex(Variable));
 		const size_t Last = First + (bArray ? Type.Count : 1);
 		Components.resize(std::max(Components.size(), Last));
 		std::fill(

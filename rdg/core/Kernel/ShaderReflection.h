@@ -105,6 +105,7 @@ struct FShaderReflection
 	bool bWritesDepth = false;        // pixel: SV_Depth
 	int32_t NumInterpolants = 0;      // pixel: 1 + highest interpolant read (GMaxInterpolants); vertex: written
 	uint32_t IntegerInterpolants = 0; // bit N: the interpolant N is of integers
+	std::vector<std::string> NamedInterpolants; // semantics from GFirstNamedInterpolant on; empty: not used
 	bool bUsesDiscard = false;
 	bool bLoadsStored = false;   // loads texels of a texture that it may store to, or changes them atomically
 	bool bGroups = false;        // compute: threads of a group work together, see SpirvGroups.h

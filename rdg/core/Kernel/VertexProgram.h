@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace Drydock
 {
@@ -14,8 +15,11 @@ namespace Drydock
 /** Attributes of a vertex declaration, and TEXCOORDs of a vertex shader. */
 constexpr int32_t GMaxVertexAttributes = 16;
 constexpr int32_t GMaxTexCoords = 16;
-/** Outputs of a vertex shader beside the position: TEXCOORD0 to 15, then COLOR0 to 3. */
-constexpr int32_t GMaxInterpolants = GMaxTexCoords + 4;
+/** The first interpolant that is neither TEXCOORD0 to 15 nor, behind these, COLOR0 to 3: see
+ * FShaderReflection::NamedInterpolants. */
+constexpr int32_t GFirstNamedInterpolant = GMaxTexCoords + 4;
+/** Outputs of a vertex shader beside the position. */
+constexpr int32_t GMaxInterpolants = 32;
 
 /** The inputs that a vertex shader reads besides its parameters. */
 struct FVertexInput
@@ -42,13 +46,18 @@ public:
 
 	/** Bit n: it reads ATTRIBUTEn. */
 	virtual uint32_t GetAttributesRead() const = 0;
-	/** Bit n: it writes TEXCOORDn; from GMaxTexCoords on, COLORn. */
+	/** Bit n: it writes the interpolant n. */
 	virtual uint32_t GetTexCoordsWritten() const = 0;
 };
 
-/** "TEXCOORD3" or "COLOR0", by the place among the interpolants. */
-inline std::string GetInterpolantName(int32_t Index)
+/** "TEXCOORD3", "COLOR0" or one of Named, by the place among the interpolants. Named: those of the shader's reflection.
+ */
+inline std::string GetInterpolantName(int32_t Index, const std::vector<std::string>& Named)
 {
+	if (Index >= GFirstNamedInterpolant)
+	{
+		return Named.at(size_t(Index - GFirstNamedInterpolant));
+	}
 	const bool bColor = Index >= GMaxTexCoords;
 	return (bColor ? "COLOR" : "TEXCOORD") + std::to_string(bColor ? Index - GMaxTexCoords : Index);
 }

@@ -246,7 +246,7 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	Drydock::BindIfNothingIs(Vertices.Bound, Vertices.Shader);
 	Drydock::RequireAllSet(Vertices.Bound);
 	Vertices.CheckInput(Draw);
-	const int32 NumTexCoords = BoundPixel.GetReflection().NumInterpolants;
+	const Drydock::FShaderReflection& Read = BoundPixel.GetReflection();
 	Vertices.CheckTexCoords(BoundPixel);
 
 	const uint64 NumTriangles = uint64(Draw.NumPrimitives) * std::max(1u, NumInstances);
@@ -264,8 +264,8 @@ void FRHICommandList::DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumI
 	Counters.Ran |= Drydock::EShaderRun::Interpreter;
 	for (uint32 Instance = 0; Instance < std::max(1u, NumInstances) && Drawn.Fault.empty(); ++Instance)
 	{
-		Drydock::FDrawnRectangles OfInstance = Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance),
-			Viewport, Bounds, NumTexCoords, BoundPixel.GetReflection().IntegerInterpolants);
+		Drydock::FDrawnRectangles OfInstance = Drydock::FindDrawnRectangles(Vertices.RunVertices(Draw, Instance, Read),
+			Viewport, Bounds, Read.NumInterpolants, Read.IntegerInterpolants, Read.NamedInterpolants);
 		Drawn.Fault = OfInstance.Fault;
 		std::move(OfInstance.Rectangles.begin(), OfInstance.Rectangles.end(), std::back_inserter(Drawn.Rectangles));
 	}

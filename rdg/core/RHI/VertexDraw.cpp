@@ -204,17 +204,33 @@ void FVertexState::CheckTexCoords(const FBoundShader& Pixel) const
 	const FShaderReflection& Read = Pixel.GetReflection();
 	const uint32 Written = Bound.IsValid() ? Bound.Vertex->GetTexCoordsWritten() : (1u << GMaxTexCoords) - 1;
 	const uint32 Integers = Bound.IsValid() ? Bound.GetReflection().IntegerInterpolants : 0;
-	const int32 Last = Read.NumInterpolants - 1;
-	const uint32 Missing = Last >= 0 && !(Written >> Last & 1) ? 1u << Last : Read.IntegerInterpolants & ~Integers;
-	if (Missing != 0)
+	for (int32 Index = 0; Index < Read.NumInterpolants; ++Index)
 	{
-		const int32 Index = std::countr_zero(Missing);
-		throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexToPixel,
-						 "pixel shader " + Pixel.Name + " reads " + GetInterpolantName(Index) +
-							 (Read.IntegerInterpolants >> Index & 1 ? " as integers" : "") + ", which vertex shader " +
-							 (Bound.IsValid() ? Bound.Name : "FScreenPassVS") + " does not write"),
-			ExitUsage);
+		const std::string Name = GetInterpolantName(Index, Read.NamedInterpolants);
+		const bool bAsked = Index + 1 == Read.NumInterpolants || (Index >= GFirstNamedInterpolant && !Name.empty());
+		const bool bInteger = Read.IntegerInterpolants >> Index & 1;
+		const int32 Output = FindOutput(Read, Index);
+		const uint32 Bit = Output < 0 ? 0 : 1u << Output;
+		if ((bAsked && !(Written & Bit)) || (bInteger && !(Integers & Bit)))
+		{
+			throw FError(MakeVertexDiagnostic(ESeverity::Error, ErrorVertexToPixel,
+							 "pixel shader " + Pixel.Name + " reads " + Name + (bInteger ? " as integers" : "") +
+								 ", which vertex shader " + (Bound.IsValid() ? Bound.Name : "FScreenPassVS") +
+								 " does not write"),
+				ExitUsage);
+		}
 	}
+}
+
+int32 FVertexState::FindOutput(const FShaderReflection& Pixel, int32 Interpolant) const
+{
+	if (Interpolant < GFirstNamedInterpolant || !Bound.IsValid())
+	{
+		return Interpolant < GFirstNamedInterpolant ? Interpolant : -1;
+	}
+	const std::vector<std::string>& Written = Bound.GetReflection().NamedInterpolants;
+	const auto Found = std::ranges::find(Written, GetInterpolantName(Interpolant, Pixel.NamedInterpolants));
+	return Found == Written.end() ? -1 : GFirstNamedInterpolant + int32(Found - Written.begin());
 }
 
 FVertexInput FVertexState::Fetch(const FVertexDraw& Draw, uint32 VertexId, uint32 Instance) const
@@ -270,7 +286,8 @@ std::vector<uint32> FVertexState::GetVertexIds(const FVertexDraw& Draw) const
 	return Ids;
 }
 
-std::vector<FVertexOutput> FVertexState::RunVertices(const FVertexDraw& Draw, uint32 Instance) const
+std::vector<FVertexOutput> FVertexState::RunVertices(
+	const FVertexDraw& Draw, uint32 Instance, const FShaderReflection& Pixel) const
 {
 	const FKernelArgs Args = Bound.GetArgs();
 	std::map<uint32, FVertexOutput> Known;
@@ -280,7 +297,13 @@ std::vector<FVertexOutput> FVertexState::RunVertices(const FVertexDraw& Draw, ui
 		const auto [Found, bNew] = Known.try_emplace(Id);
 		if (bNew)
 		{
-			Found->second = Bound.Vertex->Run(Args, Fetch(Draw, Id, Instance));
+			const FVertexOutput Output = Bound.Vertex->Run(Args, Fetch(Draw, Id, Instance));
+			std::copy(std::begin(Output.Position), std::end(Output.Position), Found->second.Position);
+			for (int32 Index = 0; Index < Pixel.NumInterpolants; ++Index)
+			{
+				const int32 From = FindOutput(Pixel, Index);
+				std::copy_n(Output.TexCoords[std::max(0, From)], From < 0 ? 0 : 4, Found->second.TexCoords[Index]);
+			}
 		}
 		Outputs.push_back(Found->second);
 	}

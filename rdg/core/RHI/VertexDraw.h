@@ -21,7 +21,7 @@ enum EVertexError : int
 {
 	WarnNoRectangle = 2130,    // triangles in perspective and the like: they are not drawn
 	ErrorVertexInput = 2131,   // a vertex shader reads what the draw does not give it
-	ErrorVertexToPixel = 2132, // a pixel shader reads a TEXCOORD that the vertex shader does not write
+	ErrorVertexToPixel = 2132, // a pixel shader reads a semantic that the vertex shader does not write
 	ErrorTargetKind = 2133,    // a pixel shader writes integers to a target of reals, or reals to one of integers
 };
 
@@ -49,15 +49,17 @@ struct DRYDOCK_API FVertexState
 	/** Forgets the parameters, keeps the streams. */
 	void SetPipeline(const FGraphicsPipelineStateInitializer& Initializer);
 
-	/** Three vertices for each triangle of an instance, of a draw that was checked. */
-	std::vector<FVertexOutput> RunVertices(const FVertexDraw& Draw, uint32 Instance) const;
+	/** Three vertices for each triangle of an instance, of a draw that was checked. Their interpolants are in the
+	 * places where Pixel reads them. */
+	std::vector<FVertexOutput> RunVertices(
+		const FVertexDraw& Draw, uint32 Instance, const FShaderReflection& Pixel) const;
 
 	/** Throws FError (DD2131) unless there is an index buffer where one is meant, a rectangle of the screen where the
 	 * shader reads one, and an element and a buffer for every attribute that it reads. */
 	void CheckInput(const FVertexDraw& Draw) const;
 
-	/** Throws FError (DD2132) where a pixel shader reads a TEXCOORD or COLOR that the vertex shader, or the engine's
-	 * where none is bound, does not write, or integers where floats are written. */
+	/** Throws FError (DD2132) where a pixel shader reads a semantic that the vertex shader, or the engine's where
+	 * none is bound, does not write, or integers where floats are written. */
 	void CheckTexCoords(const FBoundShader& Pixel) const;
 
 	TRefCountPtr<FRHIVertexShader> Shader;
@@ -68,6 +70,8 @@ struct DRYDOCK_API FVertexState
 	bool bDrawsScreenRectangle = false; // the uniform buffer DrawRectangleParameters is set
 
 private:
+	/** The output of the vertex shader that has the semantic of an interpolant of Pixel; -1: none has. */
+	int32 FindOutput(const FShaderReflection& Pixel, int32 Interpolant) const;
 	void CheckAttribute(uint32 Attribute) const;
 	std::vector<uint32> GetVertexIds(const FVertexDraw& Draw) const;
 	FVertexInput Fetch(const FVertexDraw& Draw, uint32 VertexId, uint32 Instance) const;

@@ -48,12 +48,13 @@ class FFinder
 {
 public:
 	FFinder(const std::vector<FVertexOutput>& InVertices, const FIntRect& InViewport, const FIntRect& InBounds,
-		int32_t InNumTexCoords, uint32_t InIntegers)
+		int32_t InNumTexCoords, uint32_t InIntegers, const std::vector<std::string>& InNamed)
 		: Vertices(InVertices)
 		, Viewport(InViewport)
 		, Bounds(InBounds)
 		, NumTexCoords(InNumTexCoords)
 		, Integers(InIntegers)
+		, Named(InNamed)
 	{
 	}
 
@@ -111,7 +112,8 @@ private:
 				const double* const First = Vertices[0].TexCoords[Index];
 				if ((Integers >> Index & 1) && !std::equal(First, First + 4, Vertex.TexCoords[Index]))
 				{
-					Result.Fault = "the integers of " + GetInterpolantName(Index) + " are not the same at all vertices";
+					Result.Fault =
+						"the integers of " + GetInterpolantName(Index, Named) + " are not the same at all vertices";
 				}
 			}
 			if (!Result.Fault.empty())
@@ -125,7 +127,7 @@ private:
 		return true;
 	}
 
-	/** Both triangles as one rectangle; false where they are none, or where the TEXCOORDs have another plane in each.
+	/** Both triangles as one rectangle; false where they make none, or where a TEXCOORD has another plane in each.
 	 */
 	bool AddRectangle(const FCorner* Six)
 	{
@@ -306,6 +308,7 @@ private:
 	const FIntRect Bounds;
 	const int32 NumTexCoords;
 	const uint32 Integers;
+	const std::vector<std::string>& Named;
 	std::vector<FCorner> Corners;
 	FDrawnRectangles Result;
 };
@@ -313,9 +316,9 @@ private:
 } // namespace
 
 FDrawnRectangles FindDrawnRectangles(const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport,
-	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers)
+	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers, const std::vector<std::string>& Named)
 {
-	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers).Run();
+	return FFinder(Vertices, Viewport, Bounds, NumTexCoords, Integers, Named).Run();
 }
 
 } // namespace Drydock

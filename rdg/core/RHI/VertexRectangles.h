@@ -30,8 +30,8 @@ struct FDrawnRectangles
  * drawn. Two triangles that follow each other and make an axis-aligned rectangle over which the TEXCOORDs run evenly
  * are one rectangle. Any other triangle is rows of pixels. Triangles without area are left out. NumTexCoords:
  * interpolants of each rectangle. Integers: bit n where interpolant n is of integers, which must be the same at all
- * vertices. */
+ * vertices. Named: FShaderReflection::NamedInterpolants of the pixel shader, for faults. */
 DRYDOCK_API FDrawnRectangles FindDrawnRectangles(const std::vector<FVertexOutput>& Vertices, const FIntRect& Viewport,
-	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers = 0);
+	const FIntRect& Bounds, int32_t NumTexCoords, uint32_t Integers = 0, const std::vector<std::string>& Named = {});
 
 } // namespace Drydock

@@ -78,9 +78,9 @@ void Fields(TArchive A, FShaderReflection& R)
 {
 	A("stage", R.Stage, "groupX", R.GroupSize[0], "groupY", R.GroupSize[1], "groupZ", R.GroupSize[2], "targets",
 		R.NumTargets, "integerTargets", R.IntegerTargets, "depth", R.bWritesDepth, "interpolants", R.NumInterpolants,
-		"integerInterpolants", R.IntegerInterpolants, "discard", R.bUsesDiscard, "loadsStored", R.bLoadsStored,
-		"groups", R.bGroups, "groupsInOrder", R.bGroupsInOrder, "partedBarrier", R.PartedBarrier, "quads", R.bQuads,
-		"samples", R.StaticSamples);
+		"integerInterpolants", R.IntegerInterpolants, "named", R.NamedInterpolants, "discard", R.bUsesDiscard,
+		"loadsStored", R.bLoadsStored, "groups", R.bGroups, "groupsInOrder", R.bGroupsInOrder, "partedBarrier",
+		R.PartedBarrier, "quads", R.bQuads, "samples", R.StaticSamples);
 }
 
 template<typename T>

@@ -68,6 +68,15 @@ FValue* FAnalyser::MakeMember(FValue* Object, const FName& Name, const FPlace& P
 	}
 	const bool bBlock = Type->IsObject() && Type->Element && Type->Element->IsStruct() &&
 						(Type->Object == EObject::ConstantBuffer || Type->Object == EObject::TextureBuffer);
+	if (Options.bFxcRules && Last == "Length" && Type->IsObject() && IsTexture(Type->Object))
+	{
+		const bool bCube = Type->Object == EObject::TextureCube || Type->Object == EObject::TextureCubeArray;
+		const uint32_t Count = GetDimensions(Type->Object) - (bCube ? 1 : 0);
+		const FType* const Size = Count > 1 ? Types->Vector(EScalar::Uint, Count) : Types->Scalar(EScalar::Uint);
+		FValue* const Value = Make(EValue::Method, Size, Place, {Object});
+		Value->Name = "Length"; // FXC's: the sizes of the first mip
+		return Value;
+	}
 	if (!Type->IsStruct() && !bBlock)
 	{
 		const std::string Advice =

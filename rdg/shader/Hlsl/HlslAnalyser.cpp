@@ -82,6 +82,7 @@ FAnalyser::FAnalyser(const FTree& InTree, const FAnalysisOptions& InOptions)
 	, Program(std::make_shared<FProgram>())
 {
 	Program->Stage = Options.Stage;
+	Program->bFxcRules = Options.bFxcRules;
 	Program->Types = Types.get();
 	Program->Files = Tree.Files;
 	File = MakeScope(EScopeKind::File, nullptr);

@@ -157,6 +157,7 @@ private:
 	bool AnalyseBlock(const FStatement& Block, std::vector<FCode*>& Code, bool bScope = true);
 	bool AnalyseScoped(const FStatement& Statement, FCode& Code);
 	bool AnalyseIf(const FStatement& Statement, FCode& Code);
+	void KeepLoopVariables(const FNameScope& Loop, FNameScope& Outer);
 	bool AnalyseLoop(const FStatement& Statement, FCode& Code);
 	bool AnalyseSwitch(const FStatement& Statement, FCode& Code);
 	bool AnalyseCases(const FStatement& Body, const FType* Type, FCode& Code);

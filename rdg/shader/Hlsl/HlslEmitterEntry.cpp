@@ -41,6 +41,17 @@ constexpr FEmitBuiltIn EmitBuiltIns[] = {
 	{"SV_DEPTHLESSEQUAL", EStage::Pixel, true, BuiltInFragDepth, EScalar::Float, 1},
 };
 
+struct FEmitStill
+{
+	std::string_view Semantic;
+	uint32_t Value;
+};
+
+/** Inputs of pixel shaders that are the same everywhere: no vertex shader here chooses a layer or a viewport, and no
+ * target has more than one sample. */
+constexpr FEmitStill EmitStillInputs[] = {
+	{"SV_RENDERTARGETARRAYINDEX", 0}, {"SV_VIEWPORTARRAYINDEX", 0}, {"SV_SAMPLEINDEX", 0}, {"SV_COVERAGE", 1}};
+
 std::string_view GetEmitSemantic(std::string_view Semantic)
 {
 	return Semantic.substr(0, Semantic.find_last_not_of("0123456789") + 1);
@@ -114,6 +125,11 @@ FEmitter::FStageValue FEmitter::StagePart(const FType* Type, const FStageValue& 
 
 uint32_t FEmitter::ReadInput(const FType* Type, const FStageValue& Input)
 {
+	const auto Still = std::ranges::find(EmitStillInputs, GetEmitSemantic(Input.Semantic), &FEmitStill::Semantic);
+	if (Program.Stage == EStage::Pixel && Still != std::end(EmitStillInputs) && Type->IsScalar())
+	{
+		return Convert(Module.Uint(Still->Value), Types.Scalar(EScalar::Uint), Type);
+	}
 	if (Type->IsNumeric() && !Type->IsMatrix())
 	{
 		const FType* Declared = nullptr;
@@ -142,7 +158,9 @@ void FEmitter::WriteOutput(const FType* Type, const FStageValue& Output, uint32_
 	if (Type->IsNumeric() && !Type->IsMatrix())
 	{
 		const FType* Declared = nullptr;
-		const uint32_t Variable = StageVariable(Type, Output, Declared);
+		FStageValue Mapped = Output;
+		Mapped.Semantic = Program.MapOutput(Output.Semantic);
+		const uint32_t Variable = StageVariable(Type, Mapped, Declared);
 		Do(OpStore, {Variable, Convert(Id, Type, Declared)});
 		return;
 	}

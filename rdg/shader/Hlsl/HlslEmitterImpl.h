@@ -319,7 +319,7 @@ private:
 	void AddOffset(FWords& Words, uint32_t& Mask, uint32_t Offset);
 	uint32_t Fetch(const FValue& Value);
 	uint32_t CutTexel(uint32_t Id, const FType* Texture, const FType* To);
-	void GetSizes(const FValue& Value);
+	uint32_t GetSizes(const FValue& Value);      // of Length: the value; of GetDimensions: 0
 	uint32_t CountElements(const FValue& Value); // Append, Consume, IncrementCounter, DecrementCounter
 	uint32_t ByteMethod(const FValue& Value);
 	uint32_t LoadBytes(FLeaf& Leaf, uint32_t Address, const FType* Type, uint32_t Offset);

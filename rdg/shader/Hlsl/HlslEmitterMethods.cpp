@@ -29,10 +29,9 @@ uint32_t FEmitter::Method(const FValue& Node)
 {
 	const EObject Object = Node.Operands[0]->Type->Object;
 	const std::string_view Name = Node.Name;
-	if (Name == "GetDimensions")
+	if (Name == "GetDimensions" || Name == "Length")
 	{
-		GetSizes(Node);
-		return 0;
+		return GetSizes(Node);
 	}
 	if (Object == EObject::ByteAddressBuffer || Object == EObject::RWByteAddressBuffer)
 	{
@@ -307,7 +306,7 @@ uint32_t FEmitter::Fetch(const FValue& Node)
 	return CutTexel(Id, Of, Node.Type);
 }
 
-void FEmitter::GetSizes(const FValue& Node)
+uint32_t FEmitter::GetSizes(const FValue& Node)
 {
 	const FType* const Of = Node.Operands[0]->Type;
 	const EObject Kind = Of->Object;
@@ -331,7 +330,7 @@ void FEmitter::GetSizes(const FValue& Node)
 		{
 			Give(Module.Uint(GetLayout(Types, Of->Element, ELayout::Structured).Size));
 		}
-		return;
+		return 0;
 	}
 	Module.Capability(CapabilityImageQuery);
 	const uint32_t Count =
@@ -355,6 +354,10 @@ void FEmitter::GetSizes(const FValue& Node)
 			return bLevels ? Op(OpImageQuerySizeLod, Type, {LoadImage(Leaf), Level})
 						   : Op(OpImageQuerySize, Type, {LoadImage(Leaf)});
 		});
+	if (Node.Name == "Length")
+	{
+		return Size;
+	}
 	for (uint32_t i = 0; i < Count; ++i)
 	{
 		Give(Count == 1 ? Size : ExtractAt(Size, Uint, {i}));
@@ -364,6 +367,7 @@ void FEmitter::GetSizes(const FValue& Node)
 		const uint16_t Opcode = bLevels ? OpImageQueryLevels : OpImageQuerySamples;
 		Give(ForEach(Set, Uint, [&](FLeaf& Leaf) { return Op(Opcode, Uint, {LoadImage(Leaf)}); }));
 	}
+	return 0;
 }
 
 uint32_t FEmitter::CountElements(const FValue& Node)

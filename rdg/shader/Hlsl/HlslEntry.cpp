@@ -148,13 +148,14 @@ void FAnalyser::CheckStageValues(const FFunction& Function)
 {
 	std::set<std::string> Seen[2];
 	std::vector<std::string> Names;
+	bool bOutputs = false;
 	const auto AddNames = [&](auto&& Self, const FType* Type, const std::string& Semantic) -> void
 	{
 		if (Type->IsStruct() && Semantic.empty())
 		{
 			for (const FMember& Member : Type->Struct->Members)
 			{
-				Self(Self, Member.Type, Member.Semantic);
+				Self(Self, Member.Type, bOutputs ? Program->MapOutput(Member.Semantic) : Member.Semantic);
 			}
 			return;
 		}
@@ -163,7 +164,8 @@ void FAnalyser::CheckStageValues(const FFunction& Function)
 	const auto AddAll = [&](const FType* Type, const std::string& Semantic, const FPlace& Place, bool bOutput)
 	{
 		Names.clear();
-		AddNames(AddNames, Type, Semantic);
+		bOutputs = bOutput;
+		AddNames(AddNames, Type, bOutput ? Program->MapOutput(Semantic) : Semantic);
 		for (const std::string& Name : Names)
 		{
 			const std::string Problem = ExplainStageValue(Name, bOutput);

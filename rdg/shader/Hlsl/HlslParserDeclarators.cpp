@@ -64,10 +64,14 @@ FScope* FParser::ParseDeclaredName(FDeclaration& Declaration, bool bTemplate)
 			ParseOperator(Declaration);
 			return Owner;
 		}
-		if (!IsName())
+		constexpr std::string_view Behind = ";=,:[)";
+		const bool bNumber =
+			IsNumberName(At().Text) && Pos + 1 < Tokens.size() && Behind.find(Tokens[Pos + 1].Text) != Behind.npos;
+		if (!IsName() && !bNumber)
 		{
 			Unexpected("a name to declare");
 		}
+		bNumberNames = bNumberNames || bNumber;
 		const FNamed Named = !bOwner            ? FindDeclared(At().Text)
 							 : Owner != nullptr ? FindIn(*Owner, At().Text)
 												: FNamed{};

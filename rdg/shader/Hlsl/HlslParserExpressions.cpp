@@ -348,7 +348,8 @@ FExpression* FParser::ParseNameOrConstruct()
 	const FPlace Place = At().Place;
 	const bool bMatrix = WordAt(Pos).Kind == EWord::Matrix;
 	FName Name;
-	const bool bType = ParseName(Name).IsType();
+	const bool bWord = bNumberNames && IsNumberName(At().Text);
+	const bool bType = ParseName(Name).IsType() && !(bWord && !Is("("));
 	if (bType && !Is("("))
 	{
 		Unexpected("'(' behind the type '" + std::string(Name.Last()) + "', which is not a value");

@@ -263,6 +263,7 @@ private:
 	uint32_t Pack = 0;
 	size_t LastFault = size_t(-1);
 	int Depth = 0;
+	bool bNumberNames = false; // a variable has the name of a type of numbers
 	bool bInAngles = false;
 	bool bTemplateHead = false; // the next name that is declared is a template's
 };

@@ -189,11 +189,23 @@ struct FProgram
 	uint32_t GroupSize[3] = {1, 1, 1};
 	uint32_t WaveSize = 0; // [WaveSize(N)]; 0: none
 	bool bEarlyDepthStencil = false;
+	bool bFxcRules = false;
 	std::vector<FFunction*> Functions; // those that the entry reaches, each after those that it calls
 	std::vector<FVariable*> Statics;   // in the order of their declaration; Groupshared too
 	std::vector<FVariable*> Resources; // those that are used, in the order of their declaration
 	std::vector<FBuffer*> Buffers;     // those that are used; $Global first
 	std::vector<std::string> Files;
+
+	/** The semantic of an output in the words of Direct3D 10: FXC takes those of Direct3D 9 for pixel shaders, too. */
+	std::string MapOutput(const std::string& Semantic) const
+	{
+		const bool bOld = bFxcRules && Stage == EStage::Pixel;
+		const bool bColor =
+			Semantic.starts_with("COLOR") && Semantic.find_first_not_of("0123456789", 5) == Semantic.npos;
+		return bOld && bColor                 ? "SV_TARGET" + Semantic.substr(5)
+			   : bOld && Semantic == "DEPTH0" ? "SV_DEPTH0"
+											  : Semantic;
+	}
 
 	template<typename T>
 	T* Make()

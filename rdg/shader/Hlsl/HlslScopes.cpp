@@ -300,9 +300,17 @@ bool FAnalyser::Redefine(const FSymbol& Old, const FPlace& Place)
 
 FSymbol* FAnalyser::Add(FNameScope& Scope, std::string_view Name, ESymbol Kind, const FPlace& Place)
 {
+	if (!Options.bFxcRules && IsNumberName(Name))
+	{
+		Error(Place, "X3000: '" + std::string(Name) + "' is a type; only by FXC's rules, variables may have its name");
+	}
 	const auto [Known, bNew] = Scope.Symbols.try_emplace(Name);
 	FSymbol& Symbol = Known->second;
-	if (!bNew)
+	if (!bNew && Symbol.bOfLoop)
+	{
+		Symbol = FSymbol();
+	}
+	else if (!bNew)
 	{
 		Redefine(Symbol, Place);
 		return nullptr;

@@ -223,11 +223,27 @@ bool FAnalyser::AnalyseIf(const FStatement& Statement, FCode& Code)
 	return bGoesOn;
 }
 
+/** By FXC's rules, the names that a for declares stay behind it, and hide what had them before (X3078). */
+void FAnalyser::KeepLoopVariables(const FNameScope& Loop, FNameScope& Outer)
+{
+	for (const auto& [Name, Symbol] : Loop.Symbols)
+	{
+		if (Options.bFxcRules && Symbol.Kind == ESymbol::Variable)
+		{
+			FSymbol& Kept = Outer.Symbols[Name];
+			Kept = Symbol;
+			Kept.Scope = &Outer;
+			Kept.bOfLoop = true;
+		}
+	}
+}
+
 bool FAnalyser::AnalyseLoop(const FStatement& Statement, FCode& Code)
 {
 	ReadAttributes(Statement, Code);
 	FPosition Position = Here;
-	Position.Scope = MakeScope(EScopeKind::Block, Here.Scope);
+	FNameScope* const Outer = Here.Scope;
+	Position.Scope = MakeScope(EScopeKind::Block, Outer);
 	Position.bBreaks = false;
 	++Position.NumLoops;
 	Position.bSwitch = false;
@@ -239,6 +255,7 @@ bool FAnalyser::AnalyseLoop(const FStatement& Statement, FCode& Code)
 	if (bFor && Statement.Body[0])
 	{
 		AnalyseStatement(*Statement.Body[0], Before->Body);
+		KeepLoopVariables(*Position.Scope, *Outer);
 	}
 	const auto MakeHead = [&]()
 	{

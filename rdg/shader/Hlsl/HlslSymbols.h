@@ -80,6 +80,7 @@ struct FSymbol
 	FBits Bits;
 	bool bBusy = false;     // to find what depends on itself
 	bool bPrepared = false; // Overloads are signed and merged
+	bool bOfLoop = false;   // a for in front of this place declared it, see KeepLoopVariables
 	FVariable* Variable = nullptr;
 	const FType* Type = nullptr;
 	FValue* Value = nullptr;

@@ -41,6 +41,12 @@ struct FToken
 	bool Is(std::string_view Other) const { return Text == Other && Kind != EToken::String; }
 };
 
+/** Words of types that FXC takes as names of variables and members, too. */
+inline bool IsNumberName(std::string_view Word)
+{
+	return Word == "bool" || Word == "int" || Word == "uint" || Word == "half" || Word == "float" || Word == "double";
+}
+
 struct FExpression;
 struct FStatement;
 struct FStruct;

@@ -106,7 +106,9 @@ void FAnalyser::CheckRegisters(const FVariable& Variable, const FDeclaration& De
 		{
 			continue;
 		}
-		if (Row->Letters.find(char(Register->front() | 0x20)) == std::string_view::npos)
+		const char Letter = char(Register->front() | 0x20);
+		const bool bOld = Options.bFxcRules && Row == RegisterRows && Letter == 'c'; // FXC takes it for a cbuffer
+		if (!bOld && Row->Letters.find(Letter) == std::string_view::npos)
 		{
 			Error(Annotation.Place, std::string(Row->Number) + ": " + Row->What + " requires " +
 										(Row->Letters[0] == 's' ? "an '" : "a '") + Row->Letters[0] +

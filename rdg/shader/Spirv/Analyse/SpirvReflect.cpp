@@ -10,8 +10,6 @@
 #include "VertexProgram.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <set>
 
 namespace Drydock
@@ -57,6 +55,7 @@ private:
 	void AddOutput(const FSpirvVariable& Variable);
 	void AddVertexInput(const FSpirvVariable& Variable);
 	void AddVertexOutput(const FSpirvVariable& Variable);
+	void AddName(int32_t Interpolant, const std::string& Semantic);
 	void AddConstantBuffer(const FSpirvVariable& Variable);
 	void AddConstant(const FSpirvVariable& Variable, uint32_t Buffer, const FSpirvMember& Member,
 		const std::string& Name, uint32_t Offset, const std::string& Where, bool bUsed);
@@ -148,18 +147,32 @@ EShaderCounter FReflector::FindCounter(const std::string& Buffer) const
 	return bAppends ? EShaderCounter::Append : Is("RWStructuredBuffer") ? EShaderCounter::Atomic : EShaderCounter::Any;
 }
 
+void FReflector::AddName(int32_t Interpolant, const std::string& Semantic)
+{
+	std::vector<std::string>& Names = Result.Reflection.NamedInterpolants;
+	if (Interpolant >= GFirstNamedInterpolant)
+	{
+		const size_t Index = size_t(Interpolant - GFirstNamedInterpolant);
+		Names.resize(std::max(Names.size(), Index + 1));
+		Names[Index] = Semantic;
+	}
+}
+
 void FReflector::AddInput(const FSpirvVariable& Variable)
 {
 	switch (Variable.BuiltIn)
 	{
 	case BuiltInNone:
 	{
-		const int32_t Index = GetTexCoordIndex(Variable.Semantic);
+		const int32_t Index = GetInterpolantIndex(Variable);
 		if (Index < 0)
 		{
-			Refuse(Variable, "pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
-								 ", which no pass fills; use SV_POSITION, TEXCOORDn or COLORn");
+			Refuse(
+				Variable, "pixel input '" + Variable.Name + "' has the semantic " + Variable.Semantic +
+							  ", which no pass fills; use SV_POSITION, TEXCOORDn or COLORn, or any name for the first "
+							  "twelve inputs");
 		}
+		AddName(Index, NormaliseSemantic(Variable.Semantic, 0));
 		Result.Reflection.NumInterpolants = std::max(Result.Reflection.NumInterpolants, Index + 1);
 		const bool bInteger = Module.GetScalarKind(Variable.Type, 0) != ESpirvType::Float;
 		Result.Reflection.IntegerInterpolants |= uint32_t(bInteger) << Index;
@@ -232,19 +245,25 @@ void FReflector::AddVertexOutput(const FSpirvVariable& Variable)
 	const FSpirvType& Type = Module.GetType(Variable.Type);
 	const bool bArray = Type.Kind == ESpirvType::Array;
 	const FSpirvType& Element = bArray ? Module.GetType(Type.Element) : Type;
-	const int32_t Index = Variable.BuiltIn == BuiltInNone ? GetTexCoordIndex(Variable.Semantic) : -1;
+	const int32_t Index = GetInterpolantIndex(Variable);
 	const int32_t Count = bArray ? int32_t(std::min<uint32_t>(Type.Count, 1u + GMaxInterpolants)) : 1;
 	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
 	const bool bInteger = Kind == ESpirvType::Int || Kind == ESpirvType::Uint;
-	const int32_t End = Index < GMaxTexCoords ? GMaxTexCoords : GMaxInterpolants;
+	const int32_t End = Index < GMaxTexCoords            ? GMaxTexCoords
+						: Index < GFirstNamedInterpolant ? GFirstNamedInterpolant
+														 : GMaxInterpolants;
 	const bool bFits =
 		Index >= 0 && Index + Count <= End && Element.NumScalars <= 4 && (bInteger || Kind == ESpirvType::Float);
 	if (!bFits)
 	{
 		Refuse(Variable,
 			"vertex output '" + Variable.Name + "' (" + Variable.Semantic + ", " + GetHlslTypeName(Module, Type) +
-				") is not supported on the CPU tier; outputs are SV_POSITION, TEXCOORD0..15 and COLOR0..3, of up to "
-				"four floats or integers");
+				") is not supported on the CPU tier; outputs are SV_POSITION, TEXCOORD0..15, COLOR0..3, of up to "
+				"four floats or integers. The first twelve may have any name");
+	}
+	for (int32_t i = 0; i < Count; ++i)
+	{
+		AddName(Index + i, NormaliseSemantic(Variable.Semantic, i));
 	}
 	const uint32_t Bits = ((1u << Count) - 1) << Index;
 	Result.TexCoordsWritten |= Bits;
@@ -455,31 +474,6 @@ FSpirvReflection FReflector::Run()
 }
 
 } // namespace
-
-int32_t GetSemanticIndex(const std::string& Semantic, const std::string& Prefix)
-{
-	if (Semantic.size() < Prefix.size())
-	{
-		return -1;
-	}
-	for (size_t i = 0; i < Semantic.size(); ++i)
-	{
-		const char c = char(std::toupper(static_cast<unsigned char>(Semantic[i])));
-		if (i < Prefix.size() ? c != Prefix[i] : !std::isdigit(static_cast<unsigned char>(c)))
-		{
-			return -1;
-		}
-	}
-	const int Index = std::atoi(Semantic.c_str() + Prefix.size());
-	return Semantic.size() - Prefix.size() <= 2 && Index < 16 ? Index : -1;
-}
-
-int32_t GetTexCoordIndex(const std::string& Semantic)
-{
-	const int32_t Color = GetSemanticIndex(Semantic, "COLOR");
-	return Color >= 0 && Color < GMaxInterpolants - GMaxTexCoords ? GMaxTexCoords + Color
-																  : GetSemanticIndex(Semantic, "TEXCOORD");
-}
 
 FSpirvReflection ReflectSpirv(const FSpirvModule& Module, const FSpirvStructure& Structure, const std::string& Source)
 {

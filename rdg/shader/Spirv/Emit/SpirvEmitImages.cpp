@@ -106,7 +106,7 @@ std::string FSpirvEmitter::StillText() const
 		if (Variable.Storage == StorageInput && Variable.BuiltIn == BuiltInNone)
 		{
 			Text += std::string(Text.empty() ? "" : " && ") + "IsStill(Args.Interpolants[" +
-					std::to_string(GetTexCoordIndex(Variable.Semantic)) + "], " +
+					std::to_string(GetInterpolantIndex(Variable)) + "], " +
 					Number(Module.GetType(Variable.Type).NumScalars) + ")";
 		}
 	}

@@ -62,7 +62,7 @@ std::vector<FEmitScalar> FSpirvEmitter::LoadInterpolant(
 {
 	std::vector<FEmitScalar> Result;
 	const ESpirvType Kind = Module.GetScalarKind(Variable.Type, 0);
-	const std::string Interpolant = "Args.Interpolants[" + std::to_string(GetTexCoordIndex(Variable.Semantic)) + "]";
+	const std::string Interpolant = "Args.Interpolants[" + std::to_string(GetInterpolantIndex(Variable)) + "]";
 	for (uint32_t i = 0; i < Module.GetType(Variable.Type).NumScalars; ++i)
 	{
 		// Integers are the same everywhere.

@@ -119,7 +119,7 @@ FVertexOutput FSpirvInterpreter::RunVertex(const FKernelArgs& Args, const FVerte
 	for (size_t k = 0; k < Module.Variables.size(); ++k)
 	{
 		const FSpirvVariable& Variable = Module.Variables[k];
-		const int32_t TexCoord = GetTexCoordIndex(Variable.Semantic);
+		const int32_t TexCoord = GetInterpolantIndex(Variable);
 		const bool bPosition = Variable.BuiltIn == BuiltInPosition;
 		if (Variable.Storage != StorageOutput || (!bPosition && TexCoord < 0))
 		{

@@ -148,7 +148,7 @@ void TSpirvThread<Real>::FillInput(const FSpirvVariable& Variable, FWord* Out) c
 		FillAttribute(Variable, Out);
 		return;
 	}
-	const int32_t Index = GetTexCoordIndex(Variable.Semantic);
+	const int32_t Index = GetInterpolantIndex(Variable);
 	const uint32_t Size = std::min(4u, Program.Module.GetType(Variable.Type).NumScalars);
 	const ESpirvType Kind = Program.Module.GetScalarKind(Variable.Type, 0);
 	for (uint32_t i = 0; i < Size && Index >= 0 && Args->Interpolants; ++i)

@@ -43,10 +43,14 @@ public:
 		{
 			Output.TexCoords[0][i] = float(Input.Attributes[1][i]);
 		}
+		for (int32 i = GFirstNamedInterpolant; i < GMaxInterpolants; ++i)
+		{
+			Output.TexCoords[i][0] = 100 * i;
+		}
 		return Output;
 	}
 	uint32_t GetAttributesRead() const override { return Attributes; }
-	uint32_t GetTexCoordsWritten() const override { return 1; }
+	uint32_t GetTexCoordsWritten() const override { return 1 | 7u << GFirstNamedInterpolant; }
 
 	mutable std::vector<FVertexInput> Inputs;
 	uint32_t Attributes = 3;
@@ -254,6 +258,49 @@ TEST_F(VertexDraw, WhatIsMissingIsAMessage)
 	SetGraphicsPipelineState(RHICmdList, FGraphicsPipelineStateInitializer());
 	EXPECT_THAT(ErrorOfReading(17, 0), testing::HasSubstr("reads COLOR0, which vertex shader FScreenPassVS does not"));
 	EXPECT_EQ("", ErrorOfReading(16, 0));
+}
+
+TEST_F(VertexDraw, SemanticsOfAnyNameMeetByName)
+{
+	RHICmdList.SetStreamSource(0, MakeBuffer(MakeCorners(), BUF_VertexBuffer), 0);
+	Bind(PT_TriangleStrip, DeclareVertices());
+	const auto Draw = [&](std::vector<std::string> Read, std::vector<std::string> Written)
+	{
+		FBoundShader Vertex = MakeShader(EShaderStage::Vertex, nullptr);
+		FShaderReflection Reflection = Vertex.GetReflection();
+		Reflection.NamedInterpolants = std::move(Written);
+		Vertex.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+		Vertex.Vertex = Recorder;
+		RHICmdList.SetBoundVertexShader(std::move(Vertex));
+		FBoundShader Pixel = MakeShader(EShaderStage::Pixel,
+			[](const FKernelArgs& Args, const FKernelTile&)
+			{
+				float* const Texel = GetFloats(Args.Targets[0].Texture, 0, 0);
+				Texel[0] = float(Args.Interpolants[GFirstNamedInterpolant + 1].Base[0]);
+				Texel[1] = float(Args.Interpolants[GFirstNamedInterpolant + 2].Base[0]);
+			});
+		Reflection = Pixel.GetReflection();
+		Reflection.NamedInterpolants = std::move(Read);
+		Reflection.NumInterpolants = GFirstNamedInterpolant + 3;
+		Pixel.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+		RHICmdList.SetBoundPixelShader(std::move(Pixel));
+		return ErrorOf([&] { RHICmdList.DrawPrimitive(1, 2, 1); });
+	};
+	EXPECT_EQ("", Draw({"", "NORMAL0", "TANGENT1"}, {"BASIS0", "TANGENT1", "NORMAL0"}));
+	const float* const Texel = GetFloats(Texture->GetKernelView(0, 1, 0), 0, 0);
+	EXPECT_EQ(2200, Texel[0]);
+	EXPECT_EQ(2100, Texel[1]);
+	EXPECT_THAT(Draw({"", "NORMAL0", "TANGENT1"}, {"NORMAL1", "TANGENT1"}),
+		testing::HasSubstr("pixel shader FTestShader reads NORMAL0, which vertex shader FTestShader does not write"));
+	SetGraphicsPipelineState(RHICmdList, FGraphicsPipelineStateInitializer());
+	FBoundShader Pixel = MakeShader(EShaderStage::Pixel, WriteInterpolants);
+	FShaderReflection Reflection = Pixel.GetReflection();
+	Reflection.NamedInterpolants = {"NORMAL0"};
+	Reflection.NumInterpolants = GFirstNamedInterpolant + 1;
+	Pixel.Reflection = std::make_shared<const FShaderReflection>(Reflection);
+	RHICmdList.SetBoundPixelShader(std::move(Pixel));
+	EXPECT_THAT(ErrorOf([&] { RHICmdList.DrawPrimitive(0, 1, 1); }),
+		testing::HasSubstr("reads NORMAL0, which vertex shader FScreenPassVS does not write"));
 }
 
 TEST_F(VertexDraw, AnIntegerThatDiffersIsNotDrawn)

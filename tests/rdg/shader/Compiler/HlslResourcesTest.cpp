@@ -119,3 +119,31 @@ TEST(HlslResources, WhatCannotBeBoundSaysSo)
 	EXPECT_THAT(ErrorsOf("struct FMix { RWBuffer<uint> A; float B; };\nFMix Mix;", "Mix.A[0] = uint(Mix.B);"),
 		AllOf(HasSubstr("Shader.usf:2"), HasSubstr("the number 'B'")));
 }
+
+TEST(HlslResources, ATextureHasItsSizesAsAMemberByFxcsRules)
+{
+	FShaderHarness Harness("Texture2D T;\nRWStructuredBuffer<int> Out;\n"
+						   "[numthreads(1, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
+						   "{ Out[0] = min(9, T.Length.x - 1); Out[1] = T.Length.y; Out[2] = T[T.Length.xy - 1].x; }\n",
+		"Main", EShaderStage::Compute);
+	Harness.Request.Defines = {{FxcRulesDefine, "1"}};
+	Harness.Textures["T"] = FTestTexture(6, 5);
+	*Harness.Textures["T"].Texel(5, 4) = 7;
+	Harness.Buffers["Out"].resize(3);
+	Harness.Run(4, 1, 1);
+	EXPECT_THAT(Harness.Buffers["Out"], ElementsAre(5, 5, 7));
+}
+
+TEST(HlslResources, AVariableOfALoopStaysBehindItByFxcsRules)
+{
+	FShaderHarness Harness(
+		"RWStructuredBuffer<int> Out;\n"
+		"[numthreads(1, 1, 1)] void Main(uint3 Id : SV_DispatchThreadID)\n"
+		"{ int i = 9; for (int i = 0; i < 4; ++i) { Out[1] = i; } Out[0] = i;\n"
+		"  [unroll] for (i = 5; i < 7; ++i) { Out[2] = i; } float float = 3; Out[3] = i + float; }\n",
+		"Main", EShaderStage::Compute);
+	Harness.Request.Defines = {{FxcRulesDefine, "1"}};
+	Harness.Buffers["Out"].resize(4);
+	Harness.Run(4, 1, 1);
+	EXPECT_THAT(Harness.Buffers["Out"], ElementsAre(4, 3, 6, 10));
+}

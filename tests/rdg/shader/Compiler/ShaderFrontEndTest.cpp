@@ -153,8 +153,10 @@ TEST(ShaderRefusals, AtomicsOfPixelShadersWhoseOrderIsSeenSayWhatToDo)
 
 TEST(ShaderRefusals, InputsThatNoPassFillsAreNamed)
 {
-	EXPECT_THAT(ErrorsOf("float4 Main(float4 C : NORMAL) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
-		HasSubstr("semantic NORMAL"));
+	EXPECT_THAT(ErrorsOf("float4 Main(float4 C[13] : NORMAL) : SV_Target0 { return C[12]; }\n", EShaderStage::Pixel),
+		HasSubstr("semantic NORMAL12"));
+	EXPECT_THAT(ErrorsOf("float4 Main(uint C : SV_PrimitiveID) : SV_Target0 { return C; }\n", EShaderStage::Pixel),
+		HasSubstr("semantic SV_PRIMITIVEID"));
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 P : SV_POSITION) : COLOR0 { return P; }\n", EShaderStage::Pixel),
 		HasSubstr(
 			"(COLOR0) is not supported on the CPU tier; outputs are colours of float, int or uint to SV_Target0..7"));

@@ -115,7 +115,7 @@ TEST(ShaderMessages, SemanticsAreRefusedWhereTheyStand)
 		Request.GeneratedFiles[0].second = Text;
 		return ErrorsOf(Request);
 	};
-	EXPECT_THAT(ErrorOfPixelShader("struct FIn\n{\n\tfloat2 UV : TEXCOORD0;\n\tfloat4 Tint : normal0;\n};\n"
+	EXPECT_THAT(ErrorOfPixelShader("struct FIn\n{\n\tfloat2 UV : TEXCOORD0;\n\tuint Tint : sv_primitiveid;\n};\n"
 								   "float4 Main(FIn In) : SV_Target0\n{\n\treturn In.Tint * In.UV.x;\n}\n"),
 		HasSubstr("/Test/Shader.usf:4: error: pixel input 'In.Tint' has the semantic "));
 	EXPECT_THAT(ErrorOfPixelShader("void Main(float4 P : SV_POSITION,\n\tout float4 C : SV_Target0,\n"

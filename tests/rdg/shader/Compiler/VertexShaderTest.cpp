@@ -142,6 +142,35 @@ float4 Main(uint Id : SV_VertexID, out float4 C : COLOR1, nointerpolation out ui
 	EXPECT_EQ(1u << 3 | 1u << 4, Shader->Reflection.IntegerInterpolants);
 }
 
+TEST(VertexShader, OutputsOfAnyNameAreHandedOn)
+{
+	const FShaderCompileRequest Request = MakeRequest(R"(
+struct FOut { float4 Position : SV_POSITION; float3 Normal : NORMAL; nointerpolation uint Id : IDENTITY; };
+FOut Main(uint Id : SV_VertexID, out float4 More[2] : COLOR3)
+{
+	FOut Out = {1, 1, 1, 1, 2, 3, 4, Id + 7};
+	More[0] = 50;
+	More[1] = 60;
+	return Out;
+})");
+	FVertexInput Input;
+	Input.VertexId = 4294967280u;
+	const FVertexOutput Output = RunVertex(Request, Input);
+	const std::shared_ptr<const FCompiledShader> Shader = CompileShader(Request);
+	const std::vector<std::string>& Named = Shader->Reflection.NamedInterpolants;
+	ASSERT_EQ((std::vector<std::string>{"", "COLOR4", "NORMAL0", "IDENTITY0"}), Named);
+	const auto At = [&](const std::string& Name)
+	{
+		return GFirstNamedInterpolant + (std::find(Named.begin(), Named.end(), Name) - Named.begin());
+	};
+	EXPECT_EQ(4, Output.TexCoords[At("NORMAL0")][2]);
+	EXPECT_EQ(4294967287.0, Output.TexCoords[At("IDENTITY0")][0]);
+	EXPECT_EQ(50, Output.TexCoords[19][0]);
+	EXPECT_EQ(60, Output.TexCoords[At("COLOR4")][0]);
+	EXPECT_EQ(1u << 19 | 7u << 21, Shader->Vertex->GetTexCoordsWritten());
+	EXPECT_EQ(1u << At("IDENTITY0"), Shader->Reflection.IntegerInterpolants);
+}
+
 TEST(VertexShader, APixelShaderReadsTheSameElements)
 {
 	FShaderHarness Harness("struct FIn { float2 UV[3] : TEXCOORD1; };\n"
@@ -196,8 +225,8 @@ TEST(VertexShader, WhatNobodyFeedsOrReadsIsRefusedByName)
 		HasSubstr("vertex output 'L' (SV_RENDERTARGETARRAYINDEX, uint) is not supported"));
 	EXPECT_THAT(ErrorsOf("float4 Main(out double2 M : TEXCOORD0) : SV_POSITION { M = 1; return 0; }"),
 		HasSubstr("(TEXCOORD0, double2)"));
-	EXPECT_THAT(ErrorsOf("float4 Main(out float4 C : COLOR4) : SV_POSITION { C = 1; return 0; }"),
-		HasSubstr("vertex output 'C' (COLOR4, float4)"));
+	EXPECT_THAT(ErrorsOf("float4 Main(out float4 C[13] : NORMAL) : SV_POSITION { C[12] = 1; return 0; }"),
+		HasSubstr("'C[12]' (NORMAL12, float4) is not supported on the CPU tier; outputs are SV_POSITION"));
 	EXPECT_THAT(ErrorsOf("float4 Main(float4 P : ATTRIBUTE0) : TEXCOORD0 { return P; }"),
 		HasSubstr("the vertex shader writes no SV_POSITION"));
 }

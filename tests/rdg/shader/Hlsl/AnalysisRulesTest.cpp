@@ -215,6 +215,56 @@ TEST(HlslAnalysisRules, ARequestAsksForFxcsRules)
 	EXPECT_NO_THROW(Read(MakeComputeText("", "float2 A = P; float2 C = A > 1 ? A : 2; Out[0] = C.x;"), Request));
 }
 
+/** FXC's textures have their sizes as a member. */
+TEST(HlslAnalysisRules, TexturesHaveALengthByFxcsRules)
+{
+	FShaderCompileRequest Request;
+	Request.EntryPoint = "Main";
+	const std::string Text = MakeComputeText("Texture2D<float4> Flat; RWTexture3D<float> Solid; TextureCube Cube;",
+		"int2 S = min(int2(5, 5), Flat.Length.xy - 1); Out[0] = S.x + Solid.Length.z + Cube.Length.y;");
+	EXPECT_THROW(Read(Text, Request), FError);
+	Request.Defines = {{FxcRulesDefine, "1"}};
+	EXPECT_NO_THROW(Compile(Text, Request));
+	EXPECT_THROW(Read(MakeComputeText("Texture2D Flat;", "Flat.Length = 1; Out[0] = 1;"), Request), FError);
+	EXPECT_THROW(Read(MakeComputeText("Texture2D Flat;", "Out[0] = Flat.Width;"), Request), FError);
+}
+
+TEST(HlslAnalysisRules, FxcTakesMoreNamesAndRegisters)
+{
+	FShaderCompileRequest Request;
+	Request.EntryPoint = "Main";
+	const std::string Texts[] = {MakeComputeText("", "for (int i = 0; i < 4; ++i) { } Out[0] = i;"),
+		MakeComputeText(
+			"", "int i; for (int i = 0; i < 4; ++i) { } for (int i = 0; i < 2; ++i) { } int k = i; Out[0] = k;"),
+		MakeComputeText("", "for (int i = 0; i < 4; ++i) { } float i = 2; Out[0] = i;"),
+		MakeComputeText("struct FNames { float3 float; uint half : TEXCOORD; };",
+			"FNames N = (FNames)0; float2 bool = 1, int = bool; N.float = float3(bool, int.x); Out[0] = N.float.x + "
+			"int.y;"),
+		MakeComputeText("cbuffer Old : register(c0) { float Value; };", "Out[0] = Value;")};
+	for (const std::string& Text : Texts)
+	{
+		Request.Defines = {{FxcRulesDefine, "1"}};
+		EXPECT_NO_THROW(Compile(Text, Request)) << Text;
+		Request.Defines.clear();
+		if (&Text == &Texts[1] || &Text == &Texts[2])
+		{
+			EXPECT_NO_THROW(Read(Text, Request)) << Text;
+		}
+		else
+		{
+			EXPECT_THROW(Read(Text, Request), FError) << Text;
+		}
+	}
+	Request.Defines = {{FxcRulesDefine, "1"}};
+	for (const char* const Statement : {"{ for (int i = 0; i < 4; ++i) { } } Out[0] = i;",
+			 "float2 float2 = 1; Out[0] = 1;", "int i = 0; int i = 1; Out[0] = i;", "Out[0] = float;"})
+	{
+		EXPECT_THROW(Read(MakeComputeText("", Statement), Request), FError) << Statement;
+	}
+	EXPECT_THROW(
+		Read(MakeComputeText("Texture2D Flat : register(c0);", "Out[0] = Flat[uint2(0, 0)].x;"), Request), FError);
+}
+
 TEST(HlslAnalysisRules, EachStageHasItsOwnValues)
 {
 	const std::string Head = "[numthreads(1, 1, 1)] void Main(";
