@@ -437,11 +437,15 @@ function(drydock_add_plugin Name)
 	set(MappingFile "${GeneratedFolder}/${Name}ShaderDirectory.cpp")
 	file(CONFIGURE OUTPUT "${MappingFile}" @ONLY CONTENT
 "// Made by drydock_add_plugin: where the plugin and its shaders are.
+#include \"DrydockHeadersMark.h\"
 #include \"Interfaces/IPluginManager.h\"
 #include \"ShaderCore.h\"
 
+extern \"C\" const char DRYDOCK_HEADERS_MARK;
+
 namespace
 {
+[[gnu::used]] const char* const Headers = &DRYDOCK_HEADERS_MARK;
 @Mapping@@Registrations@} // namespace
 ")
 	list(APPEND SourceFiles "${MappingFile}")

@@ -1,11 +1,17 @@
-# Writes the hash of all files below FOLDER into OUT, as a C++ string; leaves OUT alone where it is the same.
-#   cmake -DFOLDER=... -DOUT=... -P HashFolder.cmake
-file(GLOB_RECURSE Files RELATIVE ${FOLDER} ${FOLDER}/*)
-list(SORT Files)
+# Writes the hash of all files below FOLDERS into OUT, in the place of HASH in TEXT; leaves OUT alone where it is the same.
+#   cmake -DROOT=... -DFOLDERS=A,B -DPATTERNS=*.h,*.inl -DTEXT=... -DOUT=... -P HashFolder.cmake
+string(REPLACE "," ";" Globs "${PATTERNS}")
+string(REPLACE "," ";" Folders "${FOLDERS}")
 set(All "")
-foreach(File IN LISTS Files)
-	file(SHA256 ${FOLDER}/${File} Hash)
-	string(APPEND All "${File} ${Hash}\n")
+foreach(Folder IN LISTS Folders)
+	list(TRANSFORM Globs PREPEND "${ROOT}/${Folder}/" OUTPUT_VARIABLE FolderGlobs)
+	file(GLOB_RECURSE Files RELATIVE ${ROOT} ${FolderGlobs})
+	list(SORT Files)
+	foreach(File IN LISTS Files)
+		file(SHA256 ${ROOT}/${File} Hash)
+		string(APPEND All "${File} ${Hash}\n")
+	endforeach()
 endforeach()
 string(SHA256 Hash "${All}")
-file(CONFIGURE OUTPUT ${OUT} CONTENT "\"${Hash}\"\n")
+string(REPLACE "HASH" "${Hash}" Text "${TEXT}")
+file(CONFIGURE OUTPUT ${OUT} CONTENT "${Text}\n" @ONLY)

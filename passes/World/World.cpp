@@ -9,6 +9,8 @@
 #include "Subsystems/WorldSubsystem.h"
 #include "TimerManager.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -20,6 +22,7 @@ UWorld* MakeWorld()
 	Subsystems.SetOuter(Drydock::ESubsystemKind::World, World);
 	Subsystems.SetOuter(Drydock::ESubsystemKind::GameInstance, World->GetGameInstance());
 	Drydock::GetConsoleWorld() = World;
+	Drydock::GetWorldContext() = World;
 	return World;
 }
 
@@ -67,6 +70,11 @@ void UWorld::RemoveActor(const AActor* Actor)
 	std::erase_if(Actors, [Actor](const std::shared_ptr<AActor>& Other) { return Other.get() == Actor; });
 }
 
+AActor* UWorld::PlaceEmptyActor()
+{
+	return Placed.emplace_back(SpawnActor<AActor>());
+}
+
 void UWorld::RemovePlacedActors()
 {
 	for (AActor* const Actor : std::exchange(Placed, {}))
@@ -111,12 +119,42 @@ void UActorComponent::RegisterComponent()
 	{
 		bRegistered = true;
 		OnRegister();
-		InitializeComponent();
+		if (bAutoActivate && !IsActive())
+		{
+			Activate(true);
+		}
+		if (bWantsInitializeComponent)
+		{
+			InitializeComponent();
+		}
 		if (AActor* const Actor = GetOwner())
 		{
 			Actor->AddOwnedComponent(this);
 		}
 	}
+}
+
+UObject* UActorComponent::ToObject(AActor* Actor)
+{
+	return Actor;
+}
+
+void UActorComponent::Place(bool (*IsOne)(const UActorComponent*), UActorComponent* (*Make)(AActor*))
+{
+	for (const std::shared_ptr<AActor>& Actor : GWorld->GetActors())
+	{
+		if (std::ranges::any_of(Actor->GetOwnedComponents(), IsOne))
+		{
+			return;
+		}
+	}
+	AActor* const Actor = GWorld->PlaceEmptyActor();
+	UActorComponent* const Component = Make(Actor);
+	if (USceneComponent* const Root = Cast<USceneComponent>(Component))
+	{
+		Actor->SetRootComponent(Root);
+	}
+	Component->RegisterComponent();
 }
 
 void UActorComponent::UnregisterComponent()

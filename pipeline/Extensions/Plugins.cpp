@@ -1,9 +1,11 @@
 // Loads shared objects once and starts their modules.
 #include "Extensions/Plugins.h"
 
+#include "Async/Async.h"
 #include "Config/ConfigReader.h"
 #include "AddedSettingFields.h"
 #include "CodeScope.h"
+#include "DrydockHeadersMark.h"
 #include "ExtensionFactory.h"
 #include "Engine/World.h"
 #include "Extensions/ExtensionErrors.h"
@@ -22,6 +24,13 @@
 #include <filesystem>
 #include <link.h>
 #include <map>
+
+/** What plugins that were built with these headers need. */
+extern "C"
+{
+	extern DRYDOCK_API const char DRYDOCK_HEADERS_MARK;
+	const char DRYDOCK_HEADERS_MARK = 0;
+}
 
 namespace Drydock
 {
@@ -68,6 +77,7 @@ bool Unload(const std::string& Path, FLoadedPlugin& Plugin)
 		{
 			GEngine->ViewExtensions->ForgetPlugin(Path);
 			GWorld->GetTimerManager().ClearAllTimersOf(Owner.Plugin);
+			ForgetTasksOf(Owner.Plugin);
 			dlclose(Plugin.Handle);
 		});
 	ForgetPluginCode(Owner.Plugin);
@@ -158,9 +168,12 @@ bool Load(
 	}
 	if (Handle == nullptr)
 	{
-		const char* const Reason = dlerror();
+		const char* const Given = dlerror();
+		const std::string Reason = Given != nullptr ? Given : "unknown reason";
+		const bool bOtherHeaders = Reason.find("undefined symbol: DrydockHeaders_") != std::string::npos;
 		Messages.Error(ErrorPluginNotLoaded, Plugin.Place,
-			"the plugin cannot be loaded: " + std::string(Reason != nullptr ? Reason : "unknown reason"));
+			bOtherHeaders ? "the plugin was built with the headers of another drydock: build it again (drydock build)"
+						  : "the plugin cannot be loaded: " + Reason);
 		return false;
 	}
 	GetLoaded()[Path] = {Handle, Time};

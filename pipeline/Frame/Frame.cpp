@@ -1,16 +1,17 @@
 // Renders one frame, in the order in which the engine does.
 #include "Frame/Frame.h"
 
+#include "Async/Async.h"
 #include "Chain/PostProcessingChain.h"
 #include "Effects/Effects.h"
 #include "Effects/Exposure.h"
 #include "Engine/BlendableInterface.h"
 #include "Engine/Engine.h"
-#include "EngineModule.h"
 #include "Extensions/ViewExtensions.h"
 #include "Frame/BasePassTargets.h"
 #include "Frame/FamilyTarget.h"
 #include "Frame/FrameCamera.h"
+#include "Frame/RendererDelegates.h"
 #include "Misc/App.h"
 #include "Misc/CoreDelegates.h"
 #include "Modules/ModuleManager.h"
@@ -152,6 +153,7 @@ public:
 		GWorld->Tick(Inputs.Time.DeltaWorldTimeSeconds, static_cast<double>(Inputs.Time.WorldTimeSeconds));
 		SetUpFamily();
 		BuildAndRunGraph();
+		RunWaitingTasks();
 		FCoreDelegates::OnEndFrame.Broadcast();
 		Result.Milliseconds =
 			std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
@@ -328,7 +330,7 @@ private:
 			Extensions.PostRenderBasePass(
 				GraphBuilder, NamedViews, GetBasePassTargets(SceneTextures), PostProcessingInputs.SceneTextures);
 		}
-		GetRendererModule().GetResolvedSceneColorCallbacks().Broadcast(GraphBuilder, SceneTextures);
+		CallRendererDelegates(GraphBuilder, NamedViews, SceneTextures);
 		if (!Extensions.IsEmpty())
 		{
 			Extensions.PrePostProcess(GraphBuilder, NamedViews, PostProcessingInputs);
@@ -405,10 +407,10 @@ private:
 		const FContentQuestions Questions = AskContent(Deciding, Decided);
 		if (Inputs.MeasureContent && Questions.Any())
 		{
-			Decided = Extensions.IsEmpty()
+			Decided = Extensions.IsEmpty() && !HasRendererDelegates()
 						  ? GateByContent(Deciding, Inputs.MeasureContent(View.ViewRect, Questions), Decided)
 						  : NoteContentUnseen(Deciding, Decided,
-								"the scene is not looked at: a view extension may change what it holds");
+								"the scene is not looked at: a view extension or a delegate may change what it holds");
 		}
 		return CompleteReasons(Deciding, std::move(Decided));
 	}

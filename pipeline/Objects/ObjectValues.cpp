@@ -131,15 +131,25 @@ void CheckCalls(const FReflectedStruct& Class, const FJsonValue& Calls, FConfigM
 	}
 }
 
-/** The actor of that class in the world, else its subsystem or its default object. */
+/** The actor or component of that class in the world, else its subsystem or its default object. */
 UObject* FindCalledObject(const FReflectedStruct& Class)
 {
+	const auto IsOne = [&Class](const UObject& Object)
+	{
+		return typeid(Object) == *Class.Type;
+	};
 	for (const std::shared_ptr<AActor>& Actor : GWorld->GetActors())
 	{
-		const AActor& Each = *Actor;
-		if (typeid(Each) == *Class.Type)
+		if (IsOne(*Actor))
 		{
 			return Actor.get();
+		}
+		for (UActorComponent* const Component : Actor->GetOwnedComponents())
+		{
+			if (IsOne(*Component))
+			{
+				return Component;
+			}
 		}
 	}
 	return FReflection::Get().FindObject(Class);
@@ -224,6 +234,9 @@ void FObjectValues::PlaceActors(const std::string& Library) const
 			}
 		}
 	}
+	// An actor may bring a component that is named, too.
+	std::ranges::stable_partition(
+		Named, [](const auto& Each) { return Each.first->GetDefault && Cast<AActor>(Each.first->GetDefault()); });
 	for (const auto& [Class, Value] : Named)
 	{
 		if (Class->Place)

@@ -21,27 +21,17 @@ namespace Files = std::filesystem;
 constexpr size_t MostErrorLines = 12;
 constexpr size_t MostFollowing = 8;
 
-/** Lines about replacements for the engine's names that drydock does not have. */
-std::string AdviseOnMissingNames(const std::vector<FMissingName>& Missing, const std::vector<FCompilerMessage>& Others)
+/** A line about a texture of the graph that is given as one of the RHI; empty: none. */
+std::string AdviseOnTextures(const std::vector<FCompilerMessage>& Others)
 {
-	std::string Advice;
-	for (const char* const Name : {"RegisterPostOpaqueRenderDelegate", "RegisterOverlayRenderDelegate"})
-	{
-		if (std::ranges::any_of(Missing, [Name](const FMissingName& Item) { return Item.Name.ends_with(Name); }))
-		{
-			Advice += "  drydock does not have " + std::string(Name) +
-					  ": add the pass in PrePostProcessPass_RenderThread of a view extension "
-					  "(FSceneViewExtensionBase)\n";
-		}
-	}
 	const bool bGraphTexture = std::ranges::any_of(Others,
 		[](const FCompilerMessage& Error) {
 			return Error.Text.find("FRDGTexture") != std::string::npos &&
 				   Error.Text.find("FRHITexture") != std::string::npos;
 		});
-	return Advice + (bGraphTexture ? "  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
-									 "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)\n"
-								   : "");
+	return bGraphTexture ? "  a texture of the graph is a parameter by SHADER_PARAMETER_RDG_TEXTURE "
+						   "(SHADER_PARAMETER_TEXTURE takes an FRHITexture*)\n"
+						 : "";
 }
 
 /** A line about the errors that base classes cause which lack; empty: none. */
@@ -133,7 +123,7 @@ std::string DescribePluginErrors(const std::string& Folder, const std::vector<st
 	}
 	// g++ names a base class that is a template in the source line that it quotes, not in the error.
 	const std::string Graph = AdviseOnCompositionGraph(Log);
-	return DescribeErrors(Missing, Following, Others, Notes) + AdviseOnMissingNames(Missing, Others) +
+	return DescribeErrors(Missing, Following, Others, Notes) + AdviseOnTextures(Others) +
 		   (Graph.empty() ? "" : "  " + Graph + "\n");
 }
 

@@ -1,6 +1,6 @@
-// Components of actors. Nobody places them here: they live when code makes them (CreateDefaultSubobject in an actor
-// that UWorld::SpawnActor makes, or NewObject and RegisterComponent). Source: engine files Components/ActorComponent.h,
-// Components/SceneComponent.h.
+// Components of actors. They live when code makes them (CreateDefaultSubobject in an actor that UWorld::SpawnActor
+// makes, or NewObject and RegisterComponent), or when a config's "objects" names their class. Source: engine files
+// Components/ActorComponent.h, Components/SceneComponent.h.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -25,6 +25,7 @@ public:
 
 	virtual void OnRegister() {}
 	virtual void OnUnregister() {}
+	/** Called if bWantsInitializeComponent is set. */
 	virtual void InitializeComponent() {}
 	virtual void UninitializeComponent() {}
 	virtual void BeginPlay() {}
@@ -36,6 +37,7 @@ public:
 	virtual void Deactivate() { bActive = false; }
 	bool IsActive() const { return bActive; }
 
+	/** Activates it, too, if bAutoActivate is set. */
 	void RegisterComponent();
 	void UnregisterComponent();
 	bool IsRegistered() const { return bRegistered; }
@@ -45,7 +47,18 @@ public:
 	/** Ours: begins to play, once. */
 	void StartPlay();
 
+	/** Ours: an actor with such a component, as somebody adds it in a level, unless an actor of the world has one. */
+	template<typename T>
+	static void PlaceInWorld()
+	{
+		Place([](const UActorComponent* Component) { return dynamic_cast<const T*>(Component) != nullptr; },
+			[](AActor* Actor) -> UActorComponent* { return NewObject<T>(ToObject(Actor)); });
+	}
+
 private:
+	static UObject* ToObject(AActor* Actor);
+	static void Place(bool (*IsOne)(const UActorComponent*), UActorComponent* (*Make)(AActor*));
+
 	bool bRegistered = false;
 	bool bActive = false;
 	bool bPlays = false;

@@ -62,6 +62,13 @@ public:
 	FVector GetComponentLocation() const { return Location; }
 	FRotator GetComponentRotation() const { return Rotation; }
 	FVector GetComponentScale() const { return Scale; }
+	FTransform GetComponentTransform() const { return FTransform(Rotation, Location, Scale); }
+	void SetWorldTransform(const FTransform& Transform)
+	{
+		Location = Transform.GetLocation();
+		Rotation = Transform.GetRotation().Rotator();
+		Scale = Transform.GetScale3D();
+	}
 	void SetWorldLocation(const FVector& InLocation) { Location = InLocation; }
 	void SetWorldRotation(const FRotator& InRotation) { Rotation = InRotation; }
 	void SetWorldScale3D(const FVector& InScale) { Scale = InScale; }

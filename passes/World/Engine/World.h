@@ -130,6 +130,8 @@ public:
 		}
 		Placed.push_back(SpawnActor<T>());
 	}
+	/** Ours: an actor of a level, without components. */
+	AActor* PlaceEmptyActor();
 	/** Ours: ends the play of those. */
 	void RemovePlacedActors();
 	/** Ours: before a frame; the seconds since the frame before, and since the world began. Actors and components tick

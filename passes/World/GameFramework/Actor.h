@@ -60,6 +60,11 @@ public:
 	{
 		return SetActorLocationAndRotation(GetActorLocation(), Rotation);
 	}
+	/** The root component's. */
+	FTransform GetActorTransform() const
+	{
+		return RootComponent ? RootComponent->GetComponentTransform() : FTransform();
+	}
 	FRotator GetActorRotation() const
 	{
 		return RootComponent ? RootComponent->GetComponentRotation() : FRotator(0.0, 0.0, 0.0);

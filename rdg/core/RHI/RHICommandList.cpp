@@ -336,13 +336,13 @@ void FRHICommandList::SetBoundPixelShader(Drydock::FBoundShader&& Shader)
 	BoundPixel = std::move(Shader);
 }
 
-FRHIBatchedShaderParameters& FRHICommandList::GetScratchShaderParameters()
+FRHIBatchedShaderParameters& FRHIComputeCommandList::GetScratchShaderParameters()
 {
 	ScratchShaderParameters.Reset();
 	return ScratchShaderParameters;
 }
 
-void FRHICommandList::SetBatchedShaderParameters(FRHIComputeShader*, FRHIBatchedShaderParameters& Parameters)
+void FRHIComputeCommandList::SetBatchedShaderParameters(FRHIComputeShader*, FRHIBatchedShaderParameters& Parameters)
 {
 	SetBoundComputeShader(std::exchange(Parameters.Bound, {}));
 }

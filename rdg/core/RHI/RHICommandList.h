@@ -10,6 +10,7 @@
 #include "PassCounters.h"
 #include "RHIResources.h"
 #include "RHITransition.h"
+#include "RHIViewDesc.h"
 #include "VertexDraw.h"
 
 /** Creation, locks, uploads and clears; counters. */
@@ -39,6 +40,26 @@ public:
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHITexture* Texture, uint8 MipLevel);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer);
 	FShaderResourceViewRHIRef CreateShaderResourceView(FRHIBuffer* Buffer, uint32 Stride, EPixelFormat Format);
+	FShaderResourceViewRHIRef CreateShaderResourceView(
+		FRHITexture* Texture, const FRHIViewDesc::FTextureSRV::FInitializer& Desc)
+	{
+		return new FRHIShaderResourceView(Texture, Desc.Info);
+	}
+	FShaderResourceViewRHIRef CreateShaderResourceView(
+		FRHIBuffer* Buffer, const FRHIViewDesc::FBufferSRV::FInitializer& Desc)
+	{
+		return new FRHIShaderResourceView(Buffer, Desc.Info);
+	}
+	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(
+		FRHITexture* Texture, const FRHIViewDesc::FTextureUAV::FInitializer& Desc)
+	{
+		return new FRHIUnorderedAccessView(Texture, Desc.Info);
+	}
+	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(
+		FRHIBuffer* Buffer, const FRHIViewDesc::FBufferUAV::FInitializer& Desc)
+	{
+		return new FRHIUnorderedAccessView(Buffer, Desc.Info);
+	}
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHITexture* Texture, uint32 MipLevel = 0);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, EPixelFormat Format = PF_Unknown);
 	FUnorderedAccessViewRHIRef CreateUnorderedAccessView(FRHIBuffer* Buffer, bool bUseUAVCounter, bool bAppendBuffer);
@@ -97,6 +118,25 @@ private:
 	std::map<FRHITexture*, FLockedTexture> LockedTextures;
 };
 
+/** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
+class FRHIBatchedShaderParameters
+{
+public:
+	FRHIBatchedShaderParameters() = default;
+	FRHIBatchedShaderParameters(FRHIBatchedShaderParameters&&) = default;
+	FRHIBatchedShaderParameters& operator=(FRHIBatchedShaderParameters&&) = default;
+	/** Copies only what holds no parameters yet (checked), as plugins copy the scratch parameters of a list. */
+	FRHIBatchedShaderParameters(const FRHIBatchedShaderParameters& Other)
+	{
+		checkf(!Other.HasParameters(), TEXT("a copy of batched parameters that are set already"));
+	}
+
+	bool HasParameters() const { return Bound.IsValid(); }
+	void Reset() { Bound = Drydock::FBoundShader(); }
+
+	Drydock::FBoundShader Bound; // ours
+};
+
 class DRYDOCK_API FRHIComputeCommandList : public FRHICommandListBase
 {
 public:
@@ -120,6 +160,11 @@ public:
 	void ClearUAVFloat(FRHIUnorderedAccessView* View, const FVector4f& Value);
 	void ClearUAVUint(FRHIUnorderedAccessView* View, const FUintVector4& Value);
 
+	/** Empty; the list's own, for one shader at a time. */
+	FRHIBatchedShaderParameters& GetScratchShaderParameters();
+	/** Takes them over, for the dispatches and draws that follow. */
+	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
+
 	void BeginUAVOverlap() {}
 	void EndUAVOverlap() {}
 	void SubmitCommandsHint() {}
@@ -136,26 +181,8 @@ private:
 	void NoteCleared(const FRHIUnorderedAccessView* View);
 
 	Drydock::FBoundShader BoundCompute;
+	FRHIBatchedShaderParameters ScratchShaderParameters;
 	FRHIComputeShader* ComputeShader = nullptr;
-};
-
-/** The parameters that SetShaderParameters has bound for one shader, for SetBatchedShaderParameters to set. */
-class FRHIBatchedShaderParameters
-{
-public:
-	FRHIBatchedShaderParameters() = default;
-	FRHIBatchedShaderParameters(FRHIBatchedShaderParameters&&) = default;
-	FRHIBatchedShaderParameters& operator=(FRHIBatchedShaderParameters&&) = default;
-	/** Copies only what holds no parameters yet (checked), as plugins copy the scratch parameters of a list. */
-	FRHIBatchedShaderParameters(const FRHIBatchedShaderParameters& Other)
-	{
-		checkf(!Other.HasParameters(), TEXT("a copy of batched parameters that are set already"));
-	}
-
-	bool HasParameters() const { return Bound.IsValid(); }
-	void Reset() { Bound = Drydock::FBoundShader(); }
-
-	Drydock::FBoundShader Bound; // ours
 };
 
 class DRYDOCK_API FRHICommandList : public FRHIComputeCommandList
@@ -184,10 +211,7 @@ public:
 	Drydock::FBoundShader& GetBound(FRHIPixelShader*) { return BoundPixel; }
 	Drydock::FBoundShader& GetBound(FRHIVertexShader*) { return Vertices.Bound; }
 
-	/** Empty; the list's own, for one shader at a time. */
-	FRHIBatchedShaderParameters& GetScratchShaderParameters();
-	/** Takes them over, for the dispatches and draws that follow. */
-	void SetBatchedShaderParameters(FRHIComputeShader* Shader, FRHIBatchedShaderParameters& Parameters);
+	using FRHIComputeCommandList::SetBatchedShaderParameters;
 	void SetBatchedShaderParameters(FRHIGraphicsShader* Shader, FRHIBatchedShaderParameters& Parameters);
 	/** The vertex shader of the pipeline state. */
 	FRHIVertexShader* GetBoundVertexShader() const { return Vertices.Shader; }
@@ -237,7 +261,6 @@ private:
 
 	FRHIRenderPassInfo RenderPass;
 	Drydock::FBoundShader BoundPixel;
-	FRHIBatchedShaderParameters ScratchShaderParameters;
 	FRHIPixelShader* PixelShader = nullptr;
 	TRefCountPtr<FRHIBlendState> BlendState;
 	TRefCountPtr<FRHIDepthStencilState> DepthStencilState;

@@ -20,7 +20,7 @@ struct FClearValueBinding
 		: FClearValueBinding(0.0f, 0.0f, 0.0f, 0.0f)
 	{
 	}
-	constexpr explicit FClearValueBinding(EClearBinding NoBinding)
+	constexpr FClearValueBinding(EClearBinding NoBinding)
 		: FClearValueBinding()
 	{
 		ColorBinding = NoBinding;

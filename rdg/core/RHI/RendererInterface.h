@@ -83,32 +83,65 @@ public:
 	FSceneRenderTargetItem GetRenderTargetItem() const { return {GetRHI(), GetRHI()}; }
 };
 
+class FGlobalShaderMap;
 class FRDGBuilder;
+class FRDGTexture;
+class FViewInfo;
 struct FSceneTextures;
+struct FSceneTextureUniformParameters;
+template<typename ParameterStructType>
+class TRDGUniformBuffer;
 
 DECLARE_MULTICAST_DELEGATE_TwoParams(FOnResolvedSceneColor, FRDGBuilder&, const FSceneTextures&);
+
+/** A view as the delegates of the renderer see it. */
+class FPostOpaqueRenderParameters
+{
+public:
+	FIntRect ViewportRect; // of the scene textures
+	FMatrix ViewMatrix;
+	FMatrix ProjMatrix;
+	FRDGTexture* ColorTexture = nullptr; // scene colour: what is drawn into it reaches post-processing
+	FRDGTexture* DepthTexture = nullptr;
+	FRDGTexture* NormalTexture = nullptr;     // GBufferA
+	FRDGTexture* VelocityTexture = nullptr;   // null: the scene has none
+	FRDGTexture* SmallDepthTexture = nullptr; // nobody makes it here
+	FRDGBuilder* GraphBuilder = nullptr;
+	const FViewInfo* View = nullptr;
+	TRDGUniformBuffer<FSceneTextureUniformParameters>* SceneTexturesUniformParams = nullptr;
+	const FGlobalShaderMap* GlobalShaderMap = nullptr;
+	void* Uid = nullptr; // the view's own
+};
+
+DECLARE_MULTICAST_DELEGATE_OneParam(FOnPostOpaqueRender, FPostOpaqueRenderParameters&);
+using FPostOpaqueRenderDelegate = FOnPostOpaqueRender::FDelegate;
 
 /** The module "Renderer". */
 class DRYDOCK_API IRendererModule : public IModuleInterface
 {
 public:
-#define DRYDOCK_NO_DELEGATE(Name) \
-	DRYDOCK_ABSENT( \
-		Name, "add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)")
-	template<typename... Arguments>
-	DRYDOCK_NO_DELEGATE(RegisterPostOpaqueRenderDelegate)
-	int RegisterPostOpaqueRenderDelegate(Arguments&&...);
-	template<typename... Arguments>
-	DRYDOCK_NO_DELEGATE(RegisterOverlayRenderDelegate)
-	int RegisterOverlayRenderDelegate(Arguments&&...);
-#undef DRYDOCK_NO_DELEGATE
+	/** Called for each view of a frame before GetResolvedSceneColorCallbacks. The scene file holds everything that the
+	 * engine draws behind opaque things, too, such as fog and translucency. */
+	FDelegateHandle RegisterPostOpaqueRenderDelegate(const FPostOpaqueRenderDelegate& Delegate)
+	{
+		return PostOpaqueRender.Add(Delegate);
+	}
+	void RemovePostOpaqueRenderDelegate(FDelegateHandle Handle) { PostOpaqueRender.Remove(Handle); }
+	/** Called behind those. */
+	FDelegateHandle RegisterOverlayRenderDelegate(const FPostOpaqueRenderDelegate& Delegate)
+	{
+		return OverlayRender.Add(Delegate);
+	}
+	void RemoveOverlayRenderDelegate(FDelegateHandle Handle) { OverlayRender.Remove(Handle); }
+	/** Ours: the renderer calls both. */
+	const FOnPostOpaqueRender& GetPostOpaqueRender() const { return PostOpaqueRender; }
+	const FOnPostOpaqueRender& GetOverlayRender() const { return OverlayRender; }
 
 	/** Called in each frame once its scene colour is there, before PrePostProcessPass_RenderThread. */
-	FOnResolvedSceneColor& GetResolvedSceneColorCallbacks()
-	{
-		return ResolvedSceneColorCallbacks;
-	}
+	FOnResolvedSceneColor& GetResolvedSceneColorCallbacks() { return ResolvedSceneColorCallbacks; }
 
 private:
+	FOnPostOpaqueRender PostOpaqueRender;
+	FOnPostOpaqueRender OverlayRender;
 	FOnResolvedSceneColor ResolvedSceneColorCallbacks;
 };

@@ -99,3 +99,17 @@ DRYDOCK_SET_AT_ONCE(SetSamplerParameter)
 DRYDOCK_SET_AT_ONCE(SetSRVParameter)
 DRYDOCK_SET_AT_ONCE(SetUAVParameter)
 #undef DRYDOCK_SET_AT_ONCE
+
+// Parameters of a shader class that sets them by a SetParameters of its own (engine 5.3 and later).
+#define DRYDOCK_SET_LEGACY(Function, GetShader) \
+	template<typename TRHICmdList, typename TShaderClass, typename... TArguments> \
+	void Function(TRHICmdList& RHICmdList, const TShaderRef<TShaderClass>& Shader, TArguments&&... Arguments) \
+	{ \
+		FRHIBatchedShaderParameters& Parameters = RHICmdList.GetScratchShaderParameters(); \
+		Shader->SetParameters(Parameters, std::forward<TArguments>(Arguments)...); \
+		RHICmdList.SetBatchedShaderParameters(Shader.GetShader(), Parameters); \
+	}
+DRYDOCK_SET_LEGACY(SetShaderParametersLegacyCS, GetComputeShader)
+DRYDOCK_SET_LEGACY(SetShaderParametersLegacyPS, GetPixelShader)
+DRYDOCK_SET_LEGACY(SetShaderParametersLegacyVS, GetVertexShader)
+#undef DRYDOCK_SET_LEGACY

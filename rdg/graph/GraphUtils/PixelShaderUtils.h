@@ -1,18 +1,22 @@
 // Full-screen pixel-shader passes. Source: engine PixelShaderUtils.h.
 #pragma once
 
+#include "CommonRenderResources.h"
 #include "ScreenPass.h"
 
 struct DRYDOCK_API FPixelShaderUtils
 {
-	/** Inside a raster lambda: draws one triangle over the viewport. */
+	/** Inside a raster lambda: draws the triangle of GScreenRectangleVertexBuffer that covers the viewport. */
 	static void DrawFullscreenTriangle(FRHICommandList& RHICmdList, uint32 InstanceCount = 1)
 	{
-		RHICmdList.DrawPrimitive(0, 1, InstanceCount);
+		RHICmdList.SetStreamSource(0, GScreenRectangleVertexBuffer.VertexBufferRHI, 0);
+		RHICmdList.DrawIndexedPrimitive(GScreenRectangleIndexBuffer.IndexBufferRHI, 0, 0, 3, 6, 1, InstanceCount);
 	}
+	/** The same by the rectangle's two triangles. */
 	static void DrawFullscreenQuad(FRHICommandList& RHICmdList, uint32 InstanceCount = 1)
 	{
-		RHICmdList.DrawPrimitive(0, 2, InstanceCount);
+		RHICmdList.SetStreamSource(0, GScreenRectangleVertexBuffer.VertexBufferRHI, 0);
+		RHICmdList.DrawIndexedPrimitive(GScreenRectangleIndexBuffer.IndexBufferRHI, 0, 0, 4, 0, 2, InstanceCount);
 	}
 
 	/** Inside a raster lambda: fills the states of a full-screen draw, no blending and no depth test. */
@@ -23,6 +27,7 @@ struct DRYDOCK_API FPixelShaderUtils
 		GraphicsPSOInit.BlendState = TStaticBlendState<>::GetRHI();
 		GraphicsPSOInit.RasterizerState = TStaticRasterizerState<>::GetRHI();
 		GraphicsPSOInit.DepthStencilState = TStaticDepthStencilState<false, CF_Always>::GetRHI();
+		GraphicsPSOInit.BoundShaderState.VertexDeclarationRHI = GFilterVertexDeclaration.VertexDeclarationRHI;
 		GraphicsPSOInit.BoundShaderState.PixelShaderRHI = PixelShader.GetPixelShader();
 		GraphicsPSOInit.PrimitiveType = PT_TriangleList;
 	}

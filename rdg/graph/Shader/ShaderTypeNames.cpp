@@ -89,12 +89,17 @@ bool Accepts(EResourceList List, EUniformBufferBaseType BaseType)
 
 bool TypeTextAgrees(const std::string& MacroText, const std::string& HlslType)
 {
-	const std::string Kind = MacroText.substr(0, MacroText.find_first_of("< "));
-	static const char* const Kinds[] = {"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer",
-		"StructuredBuffer", "ByteAddressBuffer", "RWTexture2D", "RWTexture2DArray", "RWTexture3D", "RWBuffer",
-		"RWStructuredBuffer", "RWByteAddressBuffer"};
+	// The macro itself says whether the shader writes. The engine writes SHADER_PARAMETER_RDG_BUFFER_UAV with
+	// StructuredBuffer, too.
+	const auto WithoutRW = [](const std::string& Kind)
+	{
+		return Kind.starts_with("RW") ? Kind.substr(2) : Kind;
+	};
+	const std::string Kind = WithoutRW(MacroText.substr(0, MacroText.find_first_of("< ")));
+	static const char* const Kinds[] = {
+		"Texture2D", "Texture2DArray", "Texture3D", "TextureCube", "Buffer", "StructuredBuffer", "ByteAddressBuffer"};
 	const bool bKnown = std::ranges::any_of(Kinds, [&Kind](const char* Known) { return Kind == Known; });
-	return !bKnown || Kind == HlslType;
+	return !bKnown || Kind == WithoutRW(HlslType);
 }
 
 } // namespace Drydock

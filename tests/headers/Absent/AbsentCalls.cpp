@@ -1,11 +1,10 @@
 // Calls of what is absent, each a line below its name, and before it the words that it is refused with.
 // CallsDocTest.cpp gives this file to g++ and clang.
 #include "AbsentClasses.h"
-#include "EngineModule.h"
 #include "IImageWrapperModule.h"
 
 void CallWhatIsAbsent(UStaticMesh& Mesh, IImageWrapperModule& Wrappers, FJsonObject& Json,
-	UTextureRenderTarget2D& Target, FArchive& Archive, IRendererModule& Module, FString& Text, TArray<uint8>& Bytes,
+	UTextureRenderTarget2D& Target, FArchive& Archive, FString& Text, TArray<uint8>& Bytes,
 	const TArray<FColor>& Colors, double& Number)
 {
 	// no mesh is drawn; frames come rendered
@@ -41,10 +40,4 @@ void CallWhatIsAbsent(UStaticMesh& Mesh, IImageWrapperModule& Wrappers, FJsonObj
 	// give values by the config's "objects", or read the text by FFileHelper
 	// FJsonObject::GetStringField
 	(void)Json.GetStringField(Text);
-	// add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)
-	// IRendererModule::RegisterPostOpaqueRenderDelegate
-	(void)Module.RegisterPostOpaqueRenderDelegate(0);
-	// add the pass in PrePostProcessPass_RenderThread of a view extension (FSceneViewExtensionBase)
-	// IRendererModule::RegisterOverlayRenderDelegate
-	(void)Module.RegisterOverlayRenderDelegate(0);
 }

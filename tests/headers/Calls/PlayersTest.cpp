@@ -1,6 +1,7 @@
 // Calls on meshes and players, of which there are none: their names, and what they keep.
 #include "Calls.h"
 
+#include "Components/BoxComponent.h"
 #include "Components/StaticMeshComponent.h"
 #include "EngineModule.h"
 #include "Engine/Engine.h"
@@ -47,6 +48,15 @@ TEST(CallsOfObjects, MeshesAndPlayers)
 			Component->GetMaterial(0) == nullptr && Component->GetNumMaterials() == 2);
 	CALL("ECollisionEnabled, ECollisionChannel, SetCollisionEnabled (nothing touches anything)",
 		(Component->SetCollisionEnabled(ECollisionEnabled::NoCollision), ECC_Visibility == 3));
+	UBoxComponent Box;
+	Box.SetBoxExtent(FVector(1, 2, 3));
+	Box.SetWorldTransform(FTransform(FRotator(0, 90, 0), FVector(4, 5, 6), FVector(2, 3, 4)));
+	CALL("UBoxComponent::SetBoxExtent, GetUnscaledBoxExtent, GetScaledBoxExtent, USceneComponent::SetWorldTransform",
+		Box.GetUnscaledBoxExtent() == FVector(1, 2, 3) && Box.GetScaledBoxExtent() == FVector(2, 6, 12) &&
+			Box.GetComponentLocation() == FVector(4, 5, 6));
+	CALL("USceneComponent::GetComponentTransform, AActor::GetActorTransform",
+		Box.GetComponentTransform().TransformPosition(FVector(1, 0, 0)).Equals(FVector(4, 7, 6), 1e-6) &&
+			Character->GetActorTransform().GetLocation() == Character->GetActorLocation());
 	UInstancedStaticMeshComponent Instances;
 	FTransform Place;
 	CALL("UInstancedStaticMeshComponent::AddInstance, AddInstances, UpdateInstanceTransform, GetInstanceCount",

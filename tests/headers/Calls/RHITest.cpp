@@ -238,6 +238,29 @@ TEST(CallsOfRHI, Resources)
 	CALL("CreateShaderResourceView(Buffer), CreateUnorderedAccessView(Buffer)",
 		RHICmdList.CreateShaderResourceView(Buffer).IsValid() &&
 			RHICmdList.CreateUnorderedAccessView(Buffer, PF_R32_FLOAT).IsValid());
+	CALL("FRHIViewDesc::CreateTextureSRV, CreateTextureUAV: SetDimensionFromTexture, SetFormat, SetMipRange, "
+		 "SetMipLevel",
+		RHICmdList.CreateShaderResourceView(Texture, FRHIViewDesc::CreateTextureSRV()
+														 .SetDimensionFromTexture(Texture)
+														 .SetFormat(PF_A32B32G32R32F)
+														 .SetMipRange(0, 1))
+					->GetNumMips() == 1 &&
+			RHICmdList
+				.CreateUnorderedAccessView(
+					Texture, FRHIViewDesc::CreateTextureUAV().SetDimensionFromTexture(Texture).SetMipLevel(0))
+				.IsValid());
+	CALL("FRHIViewDesc::CreateBufferSRV, CreateBufferUAV: SetType, SetFormat, SetOffsetInBytes, SetStride, "
+		 "SetNumElements",
+		RHICmdList.CreateShaderResourceView(Buffer, FRHIViewDesc::CreateBufferSRV()
+														.SetType(FRHIViewDesc::EBufferType::Typed)
+														.SetFormat(PF_R32_FLOAT)
+														.SetOffsetInBytes(16)
+														.SetNumElements(3))
+					->GetSizeInBytes() == 12 &&
+			RHICmdList
+					.CreateUnorderedAccessView(Buffer,
+						FRHIViewDesc::CreateBufferUAV().SetTypeFromBuffer(Buffer).SetStride(16).SetNumElements(2))
+					->GetSizeInBytes() == 32);
 	CALL("EBufferUsageFlags, FBufferRHIRef, FShaderResourceViewRHIRef, FUnorderedAccessViewRHIRef",
 		EBufferUsageFlags::Static == BUF_Static);
 	CALL("TResourceArray, FVertexBuffer, VertexBufferRHI",

@@ -52,6 +52,22 @@ TEST(Plugins, ALibraryThatRegistersNothingIsReported)
 	EXPECT_EQ("/plugins/0", Result.Diagnostics[0].Where);
 }
 
+TEST(Plugins, OneThatWasBuiltWithOtherHeadersIsNotLoaded)
+{
+	try
+	{
+		RunWith(Plugins(DRYDOCK_TEST_BINARY_DIR "/lib/libOldPlugin.so"));
+		FAIL();
+	}
+	catch (const FError& Error)
+	{
+		ASSERT_EQ(1u, Error.GetDiagnostics().size());
+		EXPECT_EQ(ErrorPluginNotLoaded, Error.GetDiagnostics()[0].Code);
+		EXPECT_THAT(Error.GetDiagnostics()[0].Message,
+			testing::HasSubstr("built with the headers of another drydock: build it again"));
+	}
+}
+
 TEST(Plugins, AChangedFileIsLoadedAnew)
 {
 	namespace Files = std::filesystem;

@@ -109,6 +109,20 @@ TEST(RenderFrame, CallsTheEnginesDelegatesAtTheirPlaces)
 			Calls += "resolved ";
 			AddClearRenderTargetPass(GraphBuilder, SceneTextures.Color.Target, FLinearColor::Green);
 		});
+	const FDelegateHandle Opaque =
+		GetRendererModule().RegisterPostOpaqueRenderDelegate(FPostOpaqueRenderDelegate::CreateLambda(
+			[&](FPostOpaqueRenderParameters& Parameters)
+			{
+				Calls += "opaque ";
+				EXPECT_EQ(Parameters.ViewportRect, Parameters.View->ViewRect);
+				EXPECT_EQ(Parameters.ViewMatrix.M[3][0], Parameters.View->ViewMatrices.GetViewMatrix().M[3][0]);
+				EXPECT_EQ(Parameters.ProjMatrix.M[0][0], Parameters.View->ViewMatrices.GetProjectionMatrix().M[0][0]);
+				EXPECT_EQ(
+					Parameters.ColorTexture, Parameters.SceneTexturesUniformParams->GetParameters()->SceneColorTexture);
+				AddClearRenderTargetPass(*Parameters.GraphBuilder, Parameters.ColorTexture, FLinearColor::Red);
+			}));
+	const FDelegateHandle Overlay = GetRendererModule().RegisterOverlayRenderDelegate(
+		FPostOpaqueRenderDelegate::CreateLambda([&](FPostOpaqueRenderParameters&) { Calls += "overlay "; }));
 	const FDelegateHandle Post = GEngine->GetPostRenderDelegateEx().AddLambda(
 		[&](FRDGBuilder& GraphBuilder)
 		{
@@ -120,13 +134,17 @@ TEST(RenderFrame, CallsTheEnginesDelegatesAtTheirPlaces)
 			}
 		});
 	const FLinearColor Drawn = RenderFrame(MakeDesc()).Color[0];
-	EXPECT_EQ("begin pre resolved post-process post end", Calls);
+	EXPECT_EQ("begin pre opaque overlay resolved post-process post end", Calls);
 	EXPECT_GT(Drawn.G, 2 * Drawn.R); // the scene was grey
 	bCover = true;
 	EXPECT_EQ(FLinearColor(0.0f, 0.0f, 1.0f, 1.0f), RenderFrame(MakeDesc()).Color[0]);
 	GEngine->GetPreRenderDelegateEx().Remove(Pre);
 	GEngine->GetPostRenderDelegateEx().Remove(Post);
 	GetRendererModule().GetResolvedSceneColorCallbacks().Remove(Resolved);
+	const FLinearColor Red = RenderFrame(MakeDesc()).Color[0];
+	EXPECT_GT(Red.R, 2 * Red.G); // nothing of it is green again
+	GetRendererModule().RemovePostOpaqueRenderDelegate(Opaque);
+	GetRendererModule().RemoveOverlayRenderDelegate(Overlay);
 	Calls.clear();
 	RenderFrame(MakeDesc());
 	EXPECT_EQ("begin post-process end", Calls);

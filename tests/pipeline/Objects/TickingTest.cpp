@@ -91,6 +91,21 @@ TEST(Ticking, TheConfigCallsFunctions)
 	EXPECT_EQ(8 + 0.25 * 17, GetBlue("8") - Blue);
 }
 
+TEST(Ticking, AComponentThatTheConfigNamesIsPlaced)
+{
+	const auto GetRed = [](const std::string& Objects)
+	{
+		return GetColor(FRunSession(MakeOptions(Objects)).Run(1, {}))[0];
+	};
+	EXPECT_EQ(0.0, GetRed(""));
+	EXPECT_EQ(1024 * 3.0, GetRed(R"("ULevelComponent": {"Amount": 3, "call": []})"));
+	EXPECT_EQ(1024 * 6.0, GetRed(R"("ULevelComponent": {"Amount": 3, "call": ["Double"]})"));
+	EXPECT_EQ(1024 * 0.5, GetRed(R"("UTickingComponent": {})"));
+	// The actor has one, whatever comes first.
+	EXPECT_EQ(0.25, GetRed(R"("UTickingComponent": {}, "ATickingActor": {})"));
+	EXPECT_EQ(0.0, GetRed("")); // nothing of it stays
+}
+
 TEST(Ticking, AnActionThatAFunctionReturnsIsActivated)
 {
 	const std::string Actor = R"("ATickingActor": {"call": [{"SetGlow": ["Glowing", [0, 0, 0], "name"]}]})";

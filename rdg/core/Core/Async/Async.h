@@ -1,9 +1,12 @@
-// AsyncTask: one thread plays all parts here, so a task runs where it is started, at once, and is over when
-// the call returns. Source: engine Async/Async.h, Async/TaskGraphInterfaces.h.
+// AsyncTask: one thread plays all parts here, so a task runs where it is started, at once, and is over when the call
+// returns. A task that starts itself until something has happened waits for the end of the frame. Source: engine
+// Async/Async.h, Async/TaskGraphInterfaces.h.
 #pragma once
 
 #include "CoreTypes.h"
+#include "Templates/Function.h"
 
+#include <string>
 #include <utility>
 
 /** The threads that the engine knows. */
@@ -25,8 +28,21 @@ enum Type : int32
 
 } // namespace ENamedThreads
 
-template<typename FunctionType>
-void AsyncTask(ENamedThreads::Type, FunctionType&& Function)
+namespace Drydock
 {
-	std::forward<FunctionType>(Function)();
+
+/** Runs a task at once, unless eight tasks have started each other already: then it waits for RunWaitingTasks. */
+DRYDOCK_API void RunTask(TUniqueFunction<void()> Task);
+
+/** Runs those that wait, once each: one that they start again waits for the next call. Called behind each frame. */
+DRYDOCK_API void RunWaitingTasks();
+
+/** Forgets the waiting tasks of a plugin, by the file name of its shared object. */
+DRYDOCK_API void ForgetTasksOf(const std::string& Plugin);
+
+} // namespace Drydock
+
+inline void AsyncTask(ENamedThreads::Type, TUniqueFunction<void()> Function)
+{
+	Drydock::RunTask(MoveTemp(Function));
 }

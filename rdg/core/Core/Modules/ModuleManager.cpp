@@ -16,16 +16,18 @@ void FModuleManager::RegisterModule(FName Name, FModuleFactory Factory)
 {
 	if (FindEntry(Name) != nullptr)
 	{
-		UE_LOG(LogCore, Warning, "Module %s is registered twice; the first one stays", *Name.ToString());
-		return;
+		UE_LOG(LogCore, Warning, "Two modules are named %s: both start, and LoadModule gives the first one",
+			*Name.ToString());
 	}
 	Entries.Add(MakeUnique<FEntry>(
 		FEntry{Name, Factory, Drydock::MakeCodeOwner("module " + std::string(*Name.ToString())), nullptr}));
 }
 
-void FModuleManager::UnregisterModule(FName Name)
+void FModuleManager::UnregisterModule(FName Name, FModuleFactory Factory)
 {
-	if (FEntry* Entry = FindEntry(Name))
+	const TUniquePtr<FEntry>* const Found = Entries.FindByPredicate(
+		[&](const TUniquePtr<FEntry>& Entry) { return Entry->Name == Name && Entry->Factory == Factory; });
+	if (FEntry* const Entry = Found != nullptr ? Found->Get() : nullptr)
 	{
 		if (Entry->Module.IsValid())
 		{

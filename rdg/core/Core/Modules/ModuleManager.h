@@ -44,10 +44,10 @@ public:
 		return static_cast<ModuleType*>(Get().GetModule(Name));
 	}
 
-	/** Ours: what IMPLEMENT_MODULE calls. */
+	/** Ours: what IMPLEMENT_MODULE calls. Modules of one name all start; the first one has the name. */
 	void RegisterModule(FName Name, FModuleFactory Factory);
 	/** Shuts the module down if it has started, and forgets it. */
-	void UnregisterModule(FName Name);
+	void UnregisterModule(FName Name, FModuleFactory Factory);
 
 private:
 	struct FEntry
@@ -72,15 +72,17 @@ namespace Drydock
 class FModuleRegistration
 {
 public:
-	FModuleRegistration(const TCHAR* InName, FModuleManager::FModuleFactory Factory)
+	FModuleRegistration(const TCHAR* InName, FModuleManager::FModuleFactory InFactory)
 		: Name(InName)
+		, Factory(InFactory)
 	{
 		FModuleManager::Get().RegisterModule(Name, Factory);
 	}
-	~FModuleRegistration() { FModuleManager::Get().UnregisterModule(Name); }
+	~FModuleRegistration() { FModuleManager::Get().UnregisterModule(Name, Factory); }
 
 private:
 	FName Name;
+	FModuleManager::FModuleFactory Factory;
 };
 
 } // namespace Drydock

@@ -116,6 +116,12 @@ void* FFoundProperty::GetAddress(void* Container) const
 	return (*Property->GetAddress)(Container);
 }
 
+UObject*& GetWorldContext()
+{
+	static UObject* Context = nullptr;
+	return Context;
+}
+
 FReflection& FReflection::Get()
 {
 	static FReflection Reflection;

@@ -122,7 +122,7 @@ struct FReflectedStruct
 	void* (*FromObject)(UObject* Object) = nullptr;
 	std::vector<FReflectedProperty> Properties = {};
 	std::vector<FReflectedFunction> Functions = {};
-	void (*Place)() = nullptr; // an actor: puts one into the world, as a level has it
+	void (*Place)() = nullptr; // an actor or component: puts one into the world, as a level has it
 };
 
 /** A property, and how to get from an object of some class to the class that has it. */
@@ -178,6 +178,9 @@ public:
 private:
 	FReflection() = default;
 };
+
+/** What a call gets for null where it takes any UObject: the world, once there is one. */
+DRYDOCK_API UObject*& GetWorldContext();
 
 /** Reads a value; what a type cannot give is None. */
 DRYDOCK_API FPropertyValue ReadProperty(const FPropertyType& Type, const void* Address);

@@ -368,6 +368,10 @@ private:
 		const FPropertyType& Type = GetPropertyType<T>();
 		const bool bNull = Given.Kind == FPropertyValue::EKind::None && Type.Kind == EPropertyKind::Object;
 		const bool bWritten = bNull || WriteProperty(Type, &Value, Given, OutProblem);
+		if constexpr (std::is_pointer_v<T> && std::is_convertible_v<UObject*, T>)
+		{
+			Value = bNull ? GetWorldContext() : Value; // a Blueprint fills it in
+		}
 		OutProblem.Path.insert(0, bWritten ? "" : "/" + std::to_string(Index));
 		return bWritten;
 	}

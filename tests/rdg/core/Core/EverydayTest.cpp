@@ -97,6 +97,46 @@ TEST(Async, ATaskIsOverWhenTheCallReturns)
 	EXPECT_EQ(2, Ran);
 }
 
+// As plugins wait for a readback.
+TEST(Async, ATaskThatStartsItselfUntilSomethingHasHappenedWaitsForTheEndOfTheFrame)
+{
+	struct FPoll
+	{
+		bool bReady = false;
+		bool bDone = false;
+		int32 Looks = 0;
+
+		void Look()
+		{
+			++Looks;
+			bDone = bReady;
+			if (!bReady)
+			{
+				AsyncTask(ENamedThreads::AnyThread, [this] { Look(); });
+			}
+		}
+	} Poll;
+	AsyncTask(ENamedThreads::AnyThread, [&Poll] { Poll.Look(); });
+	EXPECT_FALSE(Poll.bDone);
+	const int32 Before = Poll.Looks;
+	Drydock::RunWaitingTasks();
+	EXPECT_EQ(Before + 1, Poll.Looks);
+	Poll.bReady = true;
+	Drydock::RunWaitingTasks();
+	EXPECT_TRUE(Poll.bDone);
+	const int32 After = Poll.Looks;
+	Drydock::RunWaitingTasks();
+	EXPECT_EQ(After, Poll.Looks);
+}
+
+TEST(Async, TasksWithinTasksAreOverWhenTheCallReturns)
+{
+	int32 Ran = 0;
+	AsyncTask(ENamedThreads::AnyBackgroundThreadNormalTask, [&Ran]
+		{ AsyncTask(ENamedThreads::GameThread, [&Ran] { AsyncTask(ENamedThreads::AnyThread, [&Ran] { ++Ran; }); }); });
+	EXPECT_EQ(1, Ran);
+}
+
 TEST(App, HasNoUserAndTheTimeThatItIsGiven)
 {
 	EXPECT_TRUE(FApp::CanEverRender());

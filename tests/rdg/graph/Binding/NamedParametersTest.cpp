@@ -39,6 +39,16 @@ public:
 	}
 	static bool ShouldCompilePermutation(const FGlobalShaderPermutationParameters&) { return true; }
 
+	void SetParameters(FRHIBatchedShaderParameters& Batched, const FLinearColor& InTint, FRHITexture* Input,
+		FRHISamplerState* Sampler, FRHIUnorderedAccessView* View)
+	{
+		SetShaderValue(Batched, Tint, InTint);
+		SetShaderValue(Batched, Turn, FMatrix44f::Identity);
+		SetShaderValue(Batched, bDouble, true);
+		SetTextureParameter(Batched, InputTexture, InputSampler, Sampler, Input);
+		SetUAVParameter(Batched, OutputTexture, View);
+	}
+
 	LAYOUT_FIELD(FShaderParameter, Tint)
 	LAYOUT_FIELD(FShaderParameter, Turn);
 	LAYOUT_FIELD(FShaderParameter, Weights);
@@ -81,6 +91,10 @@ public:
 		: FGlobalShader(Initializer)
 	{
 		Tint.Bind(Initializer.ParameterMap, TEXT("Tint"));
+	}
+	void SetParameters(FRHIBatchedShaderParameters& Batched, const FLinearColor& InTint)
+	{
+		SetShaderValue(Batched, Tint, InTint);
 	}
 	LAYOUT_FIELD(FShaderParameter, Tint);
 };
@@ -243,4 +257,20 @@ TEST_F(FNamedParameters, PixelShadersDrawWithThem)
 	{
 		EXPECT_THAT(Error.what(), HasSubstr("pixel shader FTestNamedPS reads 'Tint', and its parameters were not set"));
 	}
+}
+
+TEST_F(FNamedParameters, AreSetByTheClassItself)
+{
+	SetComputePipelineState(RHICmdList, Shader.GetComputeShader());
+	FRHIComputeCommandList& List = RHICmdList;
+	SetShaderParametersLegacyCS(List, Shader, FLinearColor(10, 20, 30, 40), Input, Sampler, OutputView);
+	List.DispatchComputeShader(1, 1, 1);
+	EXPECT_EQ(FLinearColor(20, 80, 180, 320), Output->ReadTexel(2, 1));
+	const FLinearColor Drawn = Draw<FTestNamedPS>(
+		[this](FTestNamedPS&, FRHIPixelShader*)
+		{
+			const TShaderMapRef<FTestNamedPS> Named(GetGlobalShaderMap(GMaxRHIFeatureLevel));
+			SetShaderParametersLegacyPS(RHICmdList, Named, FLinearColor(5, 6, 7, 8));
+		});
+	EXPECT_EQ(FLinearColor(5, 6, 7, 8), Drawn);
 }

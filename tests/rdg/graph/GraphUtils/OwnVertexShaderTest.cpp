@@ -30,6 +30,11 @@ class FOwnTriangleVS : public FOwnScreenVS
 	DECLARE_GLOBAL_SHADER(FOwnTriangleVS);
 };
 
+class FOwnSquareVS : public FOwnScreenVS
+{
+	DECLARE_GLOBAL_SHADER(FOwnSquareVS);
+};
+
 class FOwnMeshVS : public FOwnScreenVS
 {
 	DECLARE_GLOBAL_SHADER(FOwnMeshVS);
@@ -69,6 +74,7 @@ class FOwnShowPS : public FGlobalShader
 
 IMPLEMENT_GLOBAL_SHADER(FOwnScreenVS, "/OwnVertexTest/OwnVertex.usf", "ScreenVS", SF_Vertex);
 IMPLEMENT_GLOBAL_SHADER(FOwnTriangleVS, "/OwnVertexTest/OwnVertex.usf", "TriangleVS", SF_Vertex);
+IMPLEMENT_GLOBAL_SHADER(FOwnSquareVS, "/OwnVertexTest/OwnVertex.usf", "SquareVS", SF_Vertex);
 IMPLEMENT_GLOBAL_SHADER(FOwnMeshVS, "/OwnVertexTest/OwnVertex.usf", "MeshVS", SF_Vertex);
 IMPLEMENT_GLOBAL_SHADER(FOwnKawaseVS, "/OwnVertexTest/OwnVertex.usf", "KawaseVS", SF_Vertex);
 IMPLEMENT_GLOBAL_SHADER(FOwnKawasePS, "/OwnVertexTest/OwnVertex.usf", "KawasePS", SF_Pixel);
@@ -231,6 +237,38 @@ TEST_F(OwnVertexShader, GivesThePictureOfTheEnginesWhereItGivesTheSame)
 			ASSERT_NEAR(Expected.G, Found.G, GetBound(0, X));
 			ASSERT_NEAR(Expected.B, Found.B, GetBound(2.0 / Output.Width(), X));
 			ASSERT_NEAR(Expected.A, Found.A, GetBound(0, X));
+		}
+	}
+}
+
+TEST_F(OwnVertexShader, FullscreenDrawsCoverTheViewportOnce)
+{
+	const FIntPoint Extent(37, 23);
+	for (void (*const Draw)(FRHICommandList&, uint32) :
+		{&FPixelShaderUtils::DrawFullscreenTriangle, &FPixelShaderUtils::DrawFullscreenQuad})
+	{
+		Run(Extent,
+			[Draw](FRDGBuilder& GraphBuilder, FRDGTextureRef Texture)
+			{
+				AddRawShow<FOwnSquareVS>(GraphBuilder, Texture, GFilterVertexDeclaration.VertexDeclarationRHI,
+					[Draw](FRHICommandList& RHICmdList)
+					{
+						RHICmdList.SetViewport(5, 2, 0, 30, 19, 1);
+						Draw(RHICmdList, 1);
+					});
+			});
+		EXPECT_TRUE(Notes.empty());
+		for (int32 i = 0; i < Extent.X * Extent.Y; ++i)
+		{
+			const int32 X = i % Extent.X;
+			const int32 Y = i / Extent.X;
+			const FLinearColor Found = GetPixel(X, Y);
+			ASSERT_EQ(X >= 5 && X < 30 && Y >= 2 && Y < 19, Found != GUntouched) << X << ", " << Y;
+			if (Found != GUntouched)
+			{
+				ASSERT_NEAR((X + 0.5 - 5) / 25, Found.R, GetBound(1.0 / 25, X));
+				ASSERT_NEAR((Y + 0.5 - 2) / 17, Found.G, GetBound(0, X));
+			}
 		}
 	}
 }

@@ -1,5 +1,6 @@
 // A plugin whose picture shows how often and with how many seconds the engine has called its objects: one colour over
-// the whole picture. Red: seconds of the actor, and 16 times the component's. Green: calls of a timer, and 16 times
+// the whole picture. Red: seconds of the actor, 16 times its component's, and 1024 times what a level's component has.
+// Green: calls of a timer, and 16 times
 // those for the next tick. Blue: seconds of the subsystem, and 16 times those of an object that ticks by itself.
 #include "TickingActor.h"
 
@@ -35,6 +36,21 @@ void ATickingActor::SetGlow(ETickingMode InMode, FLinearColor InColor, const FSt
 void UTickingSubsystem::Start(float InFirst)
 {
 	First = InFirst;
+}
+
+float ULevelComponent::GetSum()
+{
+	float Sum = 0.0f;
+	for (TActorIterator<AActor> It(GWorld); It; ++It)
+	{
+		Sum += It->FindComponentByClass<UTickingComponent>() && !Cast<ATickingActor>(*It) ? 0.5f : 0.0f;
+		if (const ULevelComponent* const Component = It->FindComponentByClass<ULevelComponent>())
+		{
+			check(It->GetRootComponent() == Component && Component->GetOwner() == *It);
+			Sum += Component->IsActive() ? Component->AtPlay + Component->Initialized : -1.0f;
+		}
+	}
+	return Sum;
 }
 
 /** It ticks though the engine knows nothing of it. */
@@ -77,6 +93,7 @@ public:
 		}
 		const UTickingSubsystem* const Subsystem = GWorld->GetSubsystem<UTickingSubsystem>();
 		Shown.B += Subsystem->Seconds + Subsystem->First + 16.0f * Object.Seconds;
+		Shown.R += 1024.0f * ULevelComponent::GetSum();
 		// Both would differ if a frame had begun or ended twice, or not at all.
 		check(NumBegun == NumEnded + 1);
 		AddClearRenderTargetPass(GraphBuilder, Inputs.SceneTextures->GetParameters()->SceneColorTexture, Shown);

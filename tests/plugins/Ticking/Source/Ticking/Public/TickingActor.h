@@ -83,7 +83,11 @@ public:
 	void SetGlow(ETickingMode InMode, FLinearColor InColor, const FString& InName);
 
 	UFUNCTION(BlueprintCallable)
-	static void AddGlow(UObject* WorldContextObject, float Amount) { Added += Amount; }
+	static void AddGlow(UObject* WorldContextObject, float Amount)
+	{
+		check(WorldContextObject->GetWorld() == GWorld);
+		Added += Amount;
+	}
 
 	UFUNCTION(BlueprintImplementableEvent)
 	void OnGlow();
@@ -115,6 +119,37 @@ private:
 	FTimerHandle Timer;
 
 	friend class FTickingExtension;
+};
+
+/** Nobody makes one but a level. It is active from the start. */
+UCLASS(meta = (BlueprintSpawnableComponent))
+class TICKING_API ULevelComponent : public USceneComponent
+{
+	GENERATED_BODY()
+
+public:
+	ULevelComponent() { bAutoActivate = true; }
+	virtual void InitializeComponent() override
+	{
+		Initialized = 64.0f;
+	} // which bWantsInitializeComponent does not ask for
+	virtual void BeginPlay() override
+	{
+		Super::BeginPlay();
+		AtPlay = Amount;
+	}
+
+	UFUNCTION(BlueprintCallable)
+	void Double() { AtPlay *= 2.0f; }
+
+	/** Of those in the world, and a half for each UTickingComponent that no ATickingActor has. */
+	static float GetSum();
+
+	UPROPERTY(EditAnywhere, Category = "Ticking")
+	float Amount = 0.0f;
+
+	float AtPlay = 0.0f;
+	float Initialized = 0.0f;
 };
 
 /** Adds to the actor's picture once a Blueprint has activated it. */
