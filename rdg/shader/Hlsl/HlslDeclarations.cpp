@@ -2,6 +2,7 @@
 #include "HlslAnalysisImpl.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace Drydock::Hlsl
 {
@@ -208,7 +209,20 @@ const FType* FAnalyser::FindNamedType(const FTypeName& Name, uint32_t Modifiers)
 {
 	const bool bOrdered = (Modifiers & (ModifierRowMajor | ModifierColumnMajor)) != 0;
 	const EOrder Order = Modifiers & ModifierColumnMajor ? EOrder::Column : EOrder::Row;
-	FSymbol* const Symbol = FindQualified(Name.Name);
+	FSymbol* Symbol = FindQualified(Name.Name);
+	const auto IsBehind = [&Name](const FPlace& Place)
+	{
+		return std::tie(Place.File, Place.Line, Place.Column) >=
+			   std::tie(Name.Place.File, Name.Place.Line, Name.Place.Column);
+	};
+	if (Symbol && Symbol->Kind == ESymbol::Field && IsBehind(Symbol->Place))
+	{
+		// A member's name is not known before it: struct A { B B; }.
+		FPosition Outside = Here;
+		Outside.Scope = Symbol->Scope->Parent;
+		const FPositionGuard Guard(*this, Outside);
+		Symbol = FindQualified(Name.Name);
+	}
 	const bool bType = Symbol && (Symbol->Kind == ESymbol::Struct || Symbol->Kind == ESymbol::Enum ||
 									 Symbol->Kind == ESymbol::Alias || Symbol->Kind == ESymbol::Type);
 	if (bType)

@@ -1,4 +1,5 @@
 // Plugins: shared objects that a config loads.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "Extensions/ExtensionErrors.h"

@@ -56,6 +56,11 @@ const std::vector<FAnswer> Answers = {
 	{"shadowed members",
 		"struct A { float bb; }; struct B : A { float c; }; struct C : B { float bb; float Own() { return bb; } };",
 		"C V; V.bb = 3; ((A)V).bb; V.c = 1; Set(0, V.bb); Set(1, V.Own());", {3, 3}},
+	{"members named like their type",
+		"struct IA { float X; }; struct IB { IA IA; float2 Y; }; struct IC { IB IB[2]; float IA; };",
+		"IC V; V.IB[1].IA.X = 3; V.IB[1].Y = float2(4, 5); V.IA = 6; Set(0, V.IB[1].IA.X); Set(1, V.IB[1].Y.y); Set(2, "
+		"V.IA);",
+		{3, 5, 6}},
 	{"overloads of float", "float F(half A) { return 1; } float F(double A) { return 2; }", "Set(0, F(X(0)));", {2}},
 	{"overloads of int", "float F(uint A) { return 1; } float F(min16int A) { return 2; }",
 		"int I = In[4]; Set(0, F(I));", {1}},
