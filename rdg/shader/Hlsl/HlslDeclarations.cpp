@@ -243,6 +243,12 @@ const FType* FAnalyser::FindNamedType(const FTypeName& Name, uint32_t Modifiers)
 		}
 	}
 	const std::string Text(Name.Name.Last());
+	if (Symbol)
+	{
+		Error(Name.Place, "X3000: '" + Text + "' is not a type here: line " + std::to_string(Symbol->Place.Line) +
+							  " declares something else of this name");
+		return Types->Error();
+	}
 	std::vector<std::string> Known = ListNames(false, true);
 	Known.insert(Known.end(), {"float", "float2", "float3", "float4", "float4x4", "int", "int2", "uint", "uint2",
 								  "uint3", "bool", "half", "double", "Texture2D", "SamplerState", "RWTexture2D"});

@@ -178,7 +178,7 @@ const std::vector<FRefusal> Refusals = {
 	{EStage::Compute, "", "float A = float4(1,2,3,4) + float1x4(1,2,3,4);",
 		"8:28: warning X3206: implicit truncation of 'float4' to 'float'"},
 	{EStage::Compute, "struct SB { float X; }; struct SA { SB SB; SB Other; };", "SA A; A.Other.X = 1;",
-		"4:46: X3000: unknown type 'SB'"},
+		"4:44: X3000: 'SB' is not a type here: line 4 declares something else of this name"},
 	{EStage::Compute, "struct SA { SA B; };", "SA A; A.B = 1;", "4:8: X3000: the struct 'SA' is made of itself"},
 	{EStage::Compute, "", "groupshared int A;",
 		"8:18: X3010: a local variable cannot be declared with groupshared; leave it out"},
