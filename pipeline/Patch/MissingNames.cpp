@@ -70,7 +70,7 @@ std::string FindEmptyHeader(const std::string& Name, const std::vector<std::stri
 		if (std::regex_search(Note, Match, Empty) &&
 			std::regex_search(Name, std::regex("(^|::)[A-Z]?" + Match[2].str() + "(::|$)")))
 		{
-			return Match.format("drydock has nothing of $1$2.$3");
+			return Match.format("neither drydock nor the plugin has $1$2.$3");
 		}
 	}
 	return "";

@@ -102,9 +102,11 @@ TEST(MissingNames, TheHeaderThatIsTakenAsEmptyIsNamed)
 	const std::vector<std::string> Notes = {
 		"there is no CompGeom/Delaunay2.h here, it is taken as empty (for /p/a.cpp)",
 		"there is no MeshThing.inl here, it is taken as empty (for /p/a.cpp)"};
-	EXPECT_EQ("drydock has nothing of MeshThing.inl", FindOne("'FMeshThing' was not declared", Notes).Instead);
-	EXPECT_EQ("drydock has nothing of CompGeom/Delaunay2.h", FindOne("'FDelaunay2' was not declared", Notes).Instead);
-	EXPECT_EQ("drydock has nothing of CompGeom/Delaunay2.h",
+	EXPECT_EQ(
+		"neither drydock nor the plugin has MeshThing.inl", FindOne("'FMeshThing' was not declared", Notes).Instead);
+	EXPECT_EQ("neither drydock nor the plugin has CompGeom/Delaunay2.h",
+		FindOne("'FDelaunay2' was not declared", Notes).Instead);
+	EXPECT_EQ("neither drydock nor the plugin has CompGeom/Delaunay2.h",
 		FindOne("'UE::Geometry::FDelaunay2' has not been declared", Notes).Instead);
 	EXPECT_EQ("", FindOne("'FDelaunay' was not declared", Notes).Instead);
 }

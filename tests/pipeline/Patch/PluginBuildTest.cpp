@@ -79,6 +79,8 @@ TEST_F(PluginBuild, IsFoundBuiltAndLoaded)
 	Write("Plugins/Tint/Source/TintTools/TintTools.Build.cs", "");
 	Write("Plugins/Tint/Source/TintTools/Private/Tools.cpp", "#error an editor's module\n");
 	Write("Plugins/Tint/Source/Tint/Private/TintPanel.cpp", "#include \"Widgets/SPanel.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/TintSheet.h", "#include \"Widgets/STable.h\"\n");
+	Write("Plugins/Tint/Source/Tint/Private/TintSheet.cpp", "#include \"TintSheet.h\"\n");
 	Write("Plugins/Tint/Source/Tint/Private/Old.cpp", "#error left out by its name\n");
 	Write("Plugins/Tint/Source/Tint/Public/TintActor.h", R"(#pragma once
 #include "TintActor.generated.h"
@@ -116,6 +118,9 @@ IMPLEMENT_MODULE(FDefaultModuleImpl, Tint)
 	EXPECT_THAT(
 		Built.Notes, testing::Contains("left out Source/Tint/Private/TintPanel.cpp: it includes Widgets/SPanel.h, "
 									   "and there is no editor and no Slate"));
+	EXPECT_THAT(Built.Notes,
+		testing::Contains("left out Source/Tint/Private/TintSheet.cpp: it includes TintSheet.h, which includes "
+						  "Widgets/STable.h, and there is no editor and no Slate"));
 	EXPECT_THAT(
 		Built.Notes, testing::Contains("left out Source/Tint/Private/Old.cpp: EXCLUDE Source/Tint/Private/Old.*"));
 	EXPECT_THAT(Built.Notes,
@@ -262,8 +267,8 @@ TEST_F(PluginBuild, AllThatIsMissingIsToldAtOnce)
 		};
 		EXPECT_THAT(Message, testing::HasSubstr("does not compile: 3 names are missing here\n"));
 		EXPECT_THAT(Message, Row("FSceneView::NoSuchMember", "member", "2", "A.cpp:3", ""));
-		EXPECT_THAT(
-			Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4", " +drydock has nothing of CompGeom/Delaunay2.h"));
+		EXPECT_THAT(Message, Row("FDelaunay2", "(name|type)", "2", "A.cpp:4",
+								 " +neither drydock nor the plugin has CompGeom/Delaunay2.h"));
 		EXPECT_THAT(Message, Row("FLinearColour", "type", "1", "B.cpp:3", " +did you mean FLinearColor[?]"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  left out module TintTools: it is of type Editor\n"));
 	}
@@ -320,7 +325,7 @@ void ATintThing::BeginPlay()
 		EXPECT_THAT(
 			Message, testing::ContainsRegex(
 						 "first place *\n  ANoSuchActor +base class +[12]  Source/Tint/Public/TintThing.h:[45]  "
-						 "drydock has nothing of NoSuchActor.inl\n"));
+						 "neither drydock nor the plugin has NoSuchActor.inl\n"));
 		EXPECT_THAT(Message, testing::HasSubstr("\n  FNoSuchNameOfThePlugin59 "));
 		EXPECT_THAT(
 			Message, testing::ContainsRegex("more errors, which may follow from the missing base classes: .*GetWorld"));
