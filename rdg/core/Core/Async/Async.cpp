@@ -4,6 +4,7 @@
 #include "CodeScope.h"
 #include "Templates/UnrealTemplate.h"
 
+#include <utility>
 #include <vector>
 
 namespace Drydock
@@ -35,7 +36,7 @@ void RunTask(TUniqueFunction<void()> Task)
 {
 	if (GDepth == MaxDepth)
 	{
-		GetWaiting().push_back({MoveTemp(Task), MakeCodeOwner("a task of AsyncTask")});
+		GetWaiting().push_back({std::move(Task), MakeCodeOwner("a task of AsyncTask")});
 		return;
 	}
 	const TGuardValue<int32> Deeper(GDepth, GDepth + 1);

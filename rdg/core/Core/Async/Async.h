@@ -44,5 +44,5 @@ DRYDOCK_API void ForgetTasksOf(const std::string& Plugin);
 
 inline void AsyncTask(ENamedThreads::Type, TUniqueFunction<void()> Function)
 {
-	Drydock::RunTask(MoveTemp(Function));
+	Drydock::RunTask(std::move(Function));
 }
