@@ -8,6 +8,7 @@
 #include "RendererScene.h"
 #include "Subsystems/WorldSubsystem.h"
 #include "TimerManager.h"
+#include "UObject/Reflection.h"
 
 #include <algorithm>
 

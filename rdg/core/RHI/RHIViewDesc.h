@@ -89,18 +89,18 @@ struct FRHIViewDesc
 
 	static FTextureSRV::FInitializer CreateTextureSRV()
 	{
-		return {};
+		return FTextureSRV::FInitializer();
 	}
 	static FTextureUAV::FInitializer CreateTextureUAV()
 	{
-		return {};
+		return FTextureUAV::FInitializer();
 	}
 	static FBufferSRV::FInitializer CreateBufferSRV()
 	{
-		return {};
+		return FBufferSRV::FInitializer();
 	}
 	static FBufferUAV::FInitializer CreateBufferUAV()
 	{
-		return {};
+		return FBufferUAV::FInitializer();
 	}
 };
