@@ -30,7 +30,7 @@ inline void ReadMeanColors(
 		return;
 	}
 	Row.resize(static_cast<size_t>(Count) * 3);
-	DecodeTexelRow(Texture.GetStorage(), Texture.GetTexel(X, Y, 0, 0), Count, 3, Row.data());
+	DecodeTexelRow(Texture.GetStorage(), Texture.GetTexelToRead(X, Y, 0, 0), Count, 3, Row.data());
 	for (size_t i = 0; i < OutMeans.size(); ++i)
 	{
 		OutMeans[i] = (static_cast<double>(Row[3 * i]) + static_cast<double>(Row[3 * i + 1]) +

@@ -37,6 +37,7 @@ template<typename ScalarType>
 TLines<ScalarType> GetLines(FRHITexture& Texture, FIntPoint Origin, bool bAlongX)
 {
 	const FKernelMip& Mip = Texture.GetKernelView().Mips[0];
+	Texture.Touch();
 	const ptrdiff_t StepX = 4, StepY = Mip.RowPitch / ptrdiff_t(sizeof(ScalarType));
 	ScalarType* const First = reinterpret_cast<ScalarType*>(Mip.Data) + Origin.X * StepX + Origin.Y * StepY;
 	return bAlongX ? TLines<ScalarType>{First, StepX, StepY} : TLines<ScalarType>{First, StepY, StepX};

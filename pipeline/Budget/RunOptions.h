@@ -23,6 +23,7 @@ enum class ERunStorage
 	Float64,
 };
 
+class FReuseCache;
 class FSceneCache;
 struct FPassWrites;
 
@@ -71,6 +72,7 @@ struct FRunOptions
 	bool bFollowUnwritten = true;            // warn of texels that nothing wrote and a pass reads
 	bool bUseBudget = true;                  // a config with a budget and a study runs what the study recommends
 	std::shared_ptr<FSceneCache> SceneCache; // of runs in a row: decoded channels; null: each run reads for itself
+	std::shared_ptr<FReuseCache> ReuseCache; // of runs in a row: results of passes; null: every pass is computed
 	double StartMilliseconds = 0.0;          // that the process took before the run, for the run's times
 	/** Called before each pass that executes. */
 	std::function<void(int Done, int Total, const std::string& Pass)> Progress;

@@ -41,7 +41,7 @@ FPicture FPicture::Copy(FRHITexture& Source, int Mip)
 	const size_t RowBytes = static_cast<size_t>(Size.X) * GetTexelStorageInfo(Source.GetStorage()).BytesPerTexel;
 	for (int Y = 0; Y < Size.Y; ++Y)
 	{
-		std::memcpy(Copied->GetTexel(0, Y), Source.GetTexel(0, Y, Mip), RowBytes);
+		std::memcpy(Copied->GetTexel(0, Y), Source.GetTexelToRead(0, Y, Mip), RowBytes);
 	}
 	return FPicture(
 		Copied, FIntRect(0, 0, Size.X, Size.Y), std::clamp(GPixelFormats[Source.GetFormat()].NumComponents, 1, 4));
@@ -50,20 +50,20 @@ FPicture FPicture::Copy(FRHITexture& Source, int Mip)
 double FPicture::Get(int X, int Y, int Channel) const
 {
 	double Value[4];
-	DecodeTexel(Texture->GetStorage(), Texture->GetTexel(Corner.X + X, Corner.Y + Y), Value);
+	DecodeTexel(Texture->GetStorage(), Texture->GetTexelToRead(Corner.X + X, Corner.Y + Y), Value);
 	return Value[Channel];
 }
 
 void FPicture::ReadRow(int Y, float* Row) const
 {
-	DecodeTexelRow(Texture->GetStorage(), Texture->GetTexel(Corner.X, Corner.Y + Y), Width, NumChannels, Row);
+	DecodeTexelRow(Texture->GetStorage(), Texture->GetTexelToRead(Corner.X, Corner.Y + Y), Width, NumChannels, Row);
 }
 
 void FPicture::ReadRow(int Y, double* Row) const
 {
 	const ETexelStorage Storage = Texture->GetStorage();
 	const size_t TexelBytes = GetTexelStorageInfo(Storage).BytesPerTexel;
-	const uint8* Texel = Texture->GetTexel(Corner.X, Corner.Y + Y);
+	const uint8* Texel = Texture->GetTexelToRead(Corner.X, Corner.Y + Y);
 	for (int X = 0; X < Width; ++X, Texel += TexelBytes)
 	{
 		double Value[4];

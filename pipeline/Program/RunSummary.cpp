@@ -76,8 +76,9 @@ std::string MakeRunSummary(
 		Text += fmt::format("  shaders on {}, hand-written kernels on the CPU\n", Result.Device);
 	}
 	Text += FormatPasses(Result, Width);
-	Text += fmt::format(
-		"passes   {} of {} ran in {:.1f} ms, {} culled\n", NumRun, NumPasses, Result.Times.Execute, NumPasses - NumRun);
+	const auto NumReused = std::ranges::count_if(Result.Passes, &FRunPass::IsReused);
+	Text += fmt::format("passes   {} of {} ran in {:.1f} ms, {} culled{}\n", NumRun, NumPasses, Result.Times.Execute,
+		NumPasses - NumRun, NumReused > 0 ? fmt::format(", {} taken from the last frame", NumReused) : std::string());
 	Text += fmt::format(
 		"scene    {} of {} channels decoded in {:.1f} ms\n", NumDecoded, Result.Channels.size(), Result.Times.Load);
 	Text += fmt::format("memory   {} transient, {} without aliasing\n",

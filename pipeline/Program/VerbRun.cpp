@@ -1,5 +1,6 @@
 // `drydock run`: runs a frame, or the frames of a sequence, and writes pictures and reports.
 #include "Config/ReadConfig.h"
+#include "DispatchReuse.h"
 #include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
 #include "Overlay/OverlayFolder.h"
@@ -42,10 +43,11 @@ namespace
 struct FRunVerbOptions : FFramesOptions
 {
 	FFindingsOptions Findings;
-	std::string Csv;     // file to write; empty: none
-	bool bWatch = false; // run again whenever something changes
-	std::string Again;   // run.json of a run to repeat; empty: none
-	FRunInputs Before;   // that it depended on
+	std::string Csv;       // file to write; empty: none
+	bool bWatch = false;   // run again whenever something changes
+	bool bNoReuse = false; // with bWatch: compute every pass again
+	std::string Again;     // run.json of a run to repeat; empty: none
+	FRunInputs Before;     // that it depended on
 	FInspectVerbOptions Inspect;
 };
 
@@ -231,6 +233,7 @@ int Watch(const FRunVerbOptions& Options)
 	FRunVerbOptions Looked = Options;
 	Looked.Run.WriteByDefault = {EOutputKind::Png};
 	Looked.Run.SceneCache = std::make_shared<FSceneCache>();
+	Looked.Run.ReuseCache = Options.bNoReuse ? nullptr : std::make_shared<FReuseCache>();
 	RunWatchLoop({.Run =
 					  [&]
 				  {
@@ -357,6 +360,9 @@ FVerbCall AddRunOptions(FVerbOptions& Verb)
 	Verb.Add("--video", Options->Video, "Write a video of the frames, such as walk.mp4; needs ffmpeg").SetType("FILE");
 	Verb.AddFlag("--watch", Options->bWatch, "Run again whenever the config, its scene, a plugin or a shader changes")
 		.Exclude(Frames);
+	Verb.AddFlag("--no-reuse", Options->bNoReuse,
+		"With --watch: compute every pass again, also those whose shader, parameters and inputs are unchanged; slower, "
+		"the same bits");
 	Verb.Add("--report", Options->Report,
 			"Write report.html, or sequence.html for a sequence: on, off, or full, which adds the values of all "
 			"pictures. --report alone means on. It overrides the config's outputs.report. The default is on, but off "

@@ -10,6 +10,9 @@ namespace
 const char* const Races =
 	"threads of one dispatch write one texel or buffer element, or add to it without an atomic, and their order "
 	"decides the value: give each thread a place of its own, or add whole numbers with InterlockedAdd";
+const char* const Beside =
+	"a draw or dispatch depends on something that the cache of passes does not see: its shader was bound by code of its "
+	"own, or texels were written by a kept address without a call of FRHITexture::Touch";
 const char* const Memory =
 	"a pass uses memory that is not its own: it uses a resource by a pointer, undeclared in its parameters, after the "
 	"last pass that declares it or before the first that writes it";
@@ -64,6 +67,7 @@ std::vector<FEquivalence> MakeEquivalences()
 	return {
 		Same("SecondRun", "once more in the same process", {},
 			"an extension keeps something from one frame to the next: in a static variable, or in a member"),
+		{"Reused", "passes taken from the frame before", {}, {.bReuse = true}, EAlike::SameBits, Beside},
 		Same("OneThread", "on one thread", {"r.Drydock.Threads=1"}, Races),
 		Same("TwoThreads", "on two threads", {"r.Drydock.Threads=2"}, Races),
 		Same("SevenThreads", "on seven threads", {"r.Drydock.Threads=7"}, Races),

@@ -44,6 +44,8 @@ struct FEquivalenceRun
 	std::optional<std::array<int, 4>> Padding = {}; // left, top, right, bottom
 	std::optional<double> ScreenPercentage = {};
 	EViewLayout Layout = EViewLayout::AsConfigured;
+	/** The third of three frames in a row that share a cache of passes. The first has another pre-exposure. */
+	bool bReuse = false;
 
 	bool operator==(const FEquivalenceRun&) const = default;
 };

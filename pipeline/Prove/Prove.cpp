@@ -1,6 +1,7 @@
 // Runs pairs of frames and looks for the first pass that tells them apart.
 #include "Prove/Prove.h"
 
+#include "DispatchReuse.h"
 #include "Prove/PassRecord.h"
 #include "Prove/PassTransform.h"
 #include "Run/Run.h"
@@ -110,9 +111,7 @@ public:
 	}
 
 private:
-	FRunOptions MakeOptions(const FEquivalenceRun& Run) const { return MakeEquivalentRun(Options, Run, View); }
-
-	FPicture RunFinal(const FEquivalenceRun& Run) const { return RunConfig(MakeOptions(Run)).Final; }
+	FPicture RunFinal(const FEquivalenceRun& Run) const { return RunEquivalent(Options, Run, View).Final; }
 
 	FPicture Crop(const FPicture& Final, const FEquivalenceRun& Run) const
 	{
@@ -150,18 +149,18 @@ private:
 	{
 		const FEquivalence& Equivalence = *Proven.Equivalence;
 		FPassRecord Record(Equivalence.Alike, Clobbers(Equivalence.Other), Equivalence.Scale);
-		FRunOptions Base = MakeOptions(Equivalence.Base);
+		FRunOptions Base = Options;
 		Base.OnPassExecuted = [&Record](const FPassWrites& Writes)
 		{
 			Record.Keep(Writes);
 		};
-		RunConfig(Base);
-		FRunOptions Other = MakeOptions(Equivalence.Other);
+		RunEquivalent(Base, Equivalence.Base, View);
+		FRunOptions Other = Options;
 		Other.OnPassExecuted = [&Record](const FPassWrites& Writes)
 		{
 			Record.Compare(Writes);
 		};
-		RunConfig(Other);
+		RunEquivalent(Other, Equivalence.Other, View);
 		Proven.FirstPass = Record.GetDifference();
 	}
 
@@ -178,6 +177,22 @@ FViewRect FindPictureView(const FRunResult& Result)
 	const FIntRect& Rect = Result.ViewRect;
 	const FConfigPadding& Padding = Result.Config.Scene.Padding;
 	return {Rect.Min.X - Padding.Left, Rect.Min.Y - Padding.Top, Rect.Max.X - Padding.Left, Rect.Max.Y - Padding.Top};
+}
+
+FRunResult RunEquivalent(const FRunOptions& Options, const FEquivalenceRun& Run, const FViewRect& View)
+{
+	FRunOptions Made = MakeEquivalentRun(Options, Run, View);
+	if (Run.bReuse)
+	{
+		Made.ReuseCache = std::make_shared<FReuseCache>();
+		FRunOptions Before = Made;
+		Before.OnPassExecuted = nullptr;
+		Before.Variables.push_back("r.EyeAdaptation.PreExposureOverride=4");
+		RunConfig(Before);
+		Before.Variables.pop_back();
+		RunConfig(Before);
+	}
+	return RunConfig(Made);
 }
 
 std::vector<FProven> ProveConfig(const FProveOptions& Options)

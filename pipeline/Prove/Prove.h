@@ -40,6 +40,9 @@ struct FRunResult;
 /** The rect of all views in the picture, without padding. */
 DRYDOCK_API FViewRect FindPictureView(const FRunResult& Result);
 
+/** Runs the frame of an equivalence; with bReuse those before it, too. */
+DRYDOCK_API FRunResult RunEquivalent(const FRunOptions& Options, const FEquivalenceRun& Run, const FViewRect& View);
+
 /** Compares final pictures, and where they differ runs both frames again to find the first pass. Throws FError where
  * the config itself does not run, or (exit code 2) where Only fits no equivalence. */
 DRYDOCK_API std::vector<FProven> ProveConfig(const FProveOptions& Options);

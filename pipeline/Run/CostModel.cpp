@@ -103,6 +103,10 @@ void FCostModel::Learn(const FRunResult& Result)
 	for (const FRunPass& Run : Result.Passes)
 	{
 		const FRDGCompiledPass& Pass = Result.Graph.Passes[static_cast<size_t>(Run.Index)];
+		if (Run.Counters.Reused > 0)
+		{
+			continue; // it cost less than it does
+		}
 		for (const std::string& Key : {GetKey(Pass, Conditions), GetExactKey(Result.Graph, Pass, Conditions)})
 		{
 			FSum& Sum = Sums[Key];

@@ -3,6 +3,7 @@
 
 #include "DiagnosticList.h"
 #include "DispatchBackend.h"
+#include "DispatchReuse.h"
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
@@ -396,6 +397,11 @@ FRunResult FRunSession::Run(std::optional<int> Frame, const std::vector<FViewHis
 	Setup->BeginFrame(Frame);
 	SetPreExposure(Setup->Config, Setup->Settings.ExposureScale, Last);
 	const double SetupMs = MillisecondsSince(FrameBegin);
+	const FScopedReuse Reuse(Options.ReuseCache.get());
+	if (Options.ReuseCache)
+	{
+		Options.ReuseCache->BeginFrame();
+	}
 	FRendered Rendered = Render(Options, *Setup, {Last, Caches});
 	FRunResult& Result = Rendered.Result;
 	if (Options.bExecute)

@@ -279,7 +279,8 @@ std::string MakeTimingJson(const FRunResult& Result, double SaveMs, const std::s
 		[&](const FRunPass& Pass)
 		{
 			Writer.Object({{"index", Pass.Index}, {"name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name},
-				{"ms", Pass.Milliseconds}, {"taps", Pass.Taps}, {"runsAs", DescribeShaderRun(Pass.Counters.Ran)}});
+				{"ms", Pass.Milliseconds}, {"taps", Pass.Taps}, {"runsAs", DescribeShaderRun(Pass.Counters.Ran)},
+				{"reused", Pass.IsReused()}});
 		});
 	Writer.Members({{"startMs", Result.Times.Start}, {"setupMs", Result.Times.Setup}, {"loadMs", Result.Times.Load},
 		{"compileMs", Result.Times.Compile}, {"executeMs", Result.Times.Execute}, {"reportMs", Result.Times.Report},

@@ -61,6 +61,9 @@ struct FRunPass
 	std::vector<FRunThumbnail> Thumbnails = {}; // where FRunOptions::bKeepForReport asked: textures not dumped
 	std::string SameAs = {};                    // texture that it read and whose bits it wrote again; empty: none
 	std::string SameBecause = {};               // likely reason
+
+	/** All that its shaders wrote was taken from FRunOptions::ReuseCache. */
+	bool IsReused() const { return Counters.Dispatches > 0 && Counters.Reused == Counters.Dispatches; }
 };
 
 /** One view of several. */

@@ -100,7 +100,8 @@ bool HaveSameTexels(FRHITexture& A, FIntPoint CornerA, FRHITexture& B, const FIn
 	const size_t Bytes = static_cast<size_t>(RectB.Width()) * GetTexelStorageInfo(A.GetStorage()).BytesPerTexel;
 	for (int Y = 0; bFits && Y < RectB.Height(); ++Y)
 	{
-		if (std::memcmp(A.GetTexel(CornerA.X, CornerA.Y + Y), B.GetTexel(RectB.Min.X, RectB.Min.Y + Y), Bytes) != 0)
+		if (std::memcmp(
+				A.GetTexelToRead(CornerA.X, CornerA.Y + Y), B.GetTexelToRead(RectB.Min.X, RectB.Min.Y + Y), Bytes) != 0)
 		{
 			return false;
 		}
@@ -111,10 +112,10 @@ bool HaveSameTexels(FRHITexture& A, FIntPoint CornerA, FRHITexture& B, const FIn
 bool IsOneColor(FRHITexture& Texture, const FIntRect& Rect)
 {
 	const size_t TexelBytes = GetTexelStorageInfo(Texture.GetStorage()).BytesPerTexel;
-	const uint8* const First = Texture.GetTexel(Rect.Min.X, Rect.Min.Y);
+	const uint8* const First = Texture.GetTexelToRead(Rect.Min.X, Rect.Min.Y);
 	for (int Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
 	{
-		const uint8* const Row = Texture.GetTexel(Rect.Min.X, Y);
+		const uint8* const Row = Texture.GetTexelToRead(Rect.Min.X, Y);
 		for (int X = 0; X < Rect.Width(); ++X)
 		{
 			if (std::memcmp(Row + static_cast<size_t>(X) * TexelBytes, First, TexelBytes) != 0)

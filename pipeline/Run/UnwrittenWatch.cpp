@@ -100,7 +100,7 @@ bool FUnwrittenWatch::OnTextureMade(FRHITexture& Texture)
 {
 	Texture.EnsureMemory();
 	const FTextureMipLayout& Layout = Texture.GetMipLayout(0);
-	uint8_t* const First = Texture.GetTexel(0, 0);
+	const uint8_t* const First = Texture.GetTexelToRead(0, 0);
 	const uint8_t* const End = First + Texture.GetSizeInBytes();
 	std::erase_if(Textures,
 		[&](const auto& Known)
@@ -114,7 +114,8 @@ bool FUnwrittenWatch::OnTextureMade(FRHITexture& Texture)
 	}
 	FTexture& New = Textures[First];
 	New.Name = Texture.GetName().ToString().ToStdString();
-	New.Mip = {First, Layout.SizeX, Layout.SizeY, 1, Layout.RowPitch, Layout.SlicePitch};
+	New.Texture = &Texture;
+	New.Mip = {Texture.GetTexel(0, 0), Layout.SizeX, Layout.SizeY, 1, Layout.RowPitch, Layout.SlicePitch};
 	New.TexelBytes = GetTexelStorageInfo(Texture.GetStorage()).BytesPerTexel;
 	return true;
 }
@@ -169,10 +170,14 @@ void FUnwrittenWatch::FillUnwritten(const FTexture& Texture, uint8_t Byte) const
 {
 	const FKernelMip& Mip = Texture.Mip;
 	const auto Bytes = size_t(Texture.TexelBytes);
-	for (int32_t y = 0; !Texture.bWritten && y < Mip.SizeY; ++y)
+	if (!Texture.bWritten)
 	{
-		std::memset(Mip.Data + int64_t(y) * Mip.RowPitch, Byte, size_t(Mip.SizeX) * Bytes);
+		uint8_t Texel[32];
+		std::memset(Texel, Byte, sizeof(Texel));
+		Texture.Texture->FillRect(Texel, FIntRect(0, 0, Mip.SizeX, Mip.SizeY), 0);
+		return;
 	}
+	Texture.Texture->Touch();
 	ForEachTexel(Texture.Unwritten, Mip,
 		[&](int32_t X, int32_t Y) { std::memset(GetTexelAddress(Mip, X, Y, Texture.TexelBytes), Byte, Bytes); });
 }
@@ -244,6 +249,7 @@ void FUnwrittenWatch::TakeWhatIsLeft(
 	{
 		return;
 	}
+	Texture.Texture->Touch();
 	const FKernelRerun Rerun(Shader, Args, Whole);
 	const FKernelMip& Again = Rerun.GetWritten()[Written].Mips[0];
 	const auto Bytes = size_t(Texture.TexelBytes);
@@ -371,7 +377,7 @@ void FUnwrittenWatch::OnPassExecuted(const std::string& Pass, bool bForeign, con
 {
 	const auto FindKnown = [this](const FRHITexture* Texture)
 	{
-		return Texture && Texture->HasMemory() ? Textures.find(const_cast<FRHITexture*>(Texture)->GetTexel(0, 0))
+		return Texture && Texture->HasMemory() ? Textures.find(const_cast<FRHITexture*>(Texture)->GetTexelToRead(0, 0))
 											   : Textures.end();
 	};
 	for (const FTextureWrite& Write : Counters.Writes)

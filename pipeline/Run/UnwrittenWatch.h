@@ -34,6 +34,7 @@ public:
 	void OnPassExecuted(const std::string& Pass, bool bForeign, const FPassCounters& Counters,
 		const std::vector<FRDGTexture*>& WrittenTextures);
 
+	bool AllowsReuse() const override { return true; }
 	void BeforeDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 	void AfterDispatch(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole) override;
 
@@ -44,6 +45,7 @@ private:
 	struct FTexture
 	{
 		std::string Name;
+		FRHITexture* Texture = nullptr;
 		FKernelMip Mip = {};
 		int32_t TexelBytes = 0;
 		std::string Writer; // the pass that wrote last, and how

@@ -14,6 +14,7 @@
 #include <vector>
 
 class FShader;
+class FRHITexture;
 
 namespace Drydock
 {
@@ -79,8 +80,9 @@ struct DRYDOCK_API FBoundShader
 	void Run(const FKernelArgs& Args, const FKernelTile& Tile, uint64_t Other = 0) const;
 	static uint64_t GetNewNumber();
 
-	std::string Name;                                    // shader class, "FBloomSetupPS"
-	std::string EntryPoint;                              // "BloomSetupPS"
+	std::string Name;       // shader class, "FBloomSetupPS"
+	std::string EntryPoint; // "BloomSetupPS"
+	std::string Key;        // of its text and all that decides what becomes of it; empty: not known
 	std::shared_ptr<const FShaderReflection> Reflection; // shares ownership with the compiled shader
 	FKernelFunction Kernel = nullptr;                    // the compiled .usf, or
 	FNativeKernelFunction Native = nullptr;              // a hand-written kernel that stands in for it
@@ -100,6 +102,8 @@ struct DRYDOCK_API FBoundShader
 	std::vector<FKernelSampler> Samplers;
 	std::vector<FKernelBuffer> Buffers;
 	std::vector<FKernelBuffer> RWBuffers;
+	std::vector<FRHITexture*> TextureOwners; // the textures that the views are of; null, or a shorter list: not known
+	std::vector<FRHITexture*> RWTextureOwners;
 };
 
 } // namespace Drydock

@@ -13,6 +13,9 @@ class DRYDOCK_API IDispatchObserver
 {
 public:
 	virtual ~IDispatchObserver();
+	/** Whether draws and dispatches may get their results from a cache (DispatchReuse.h) in its scope. It is called
+	 * about these, too; what it writes itself it has to tell (FRHITexture::Touch). */
+	virtual bool AllowsReuse() const { return false; }
 	virtual void BeforeDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
 	virtual void AfterDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile& /*Whole*/) {}
 };

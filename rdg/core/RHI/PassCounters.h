@@ -50,6 +50,9 @@ struct FPassCounters
 	std::string Shader;                     // class of the last shader that ran: "FBloomSetupPS"; empty: none did
 	std::string Entry;                      // its entry point
 	EShaderRun Ran = EShaderRun::None;      // how
+	uint32_t Dispatches = 0;                // draws of shaders, and dispatches
+	uint32_t Reused = 0;                    // of these, results that were taken from a cache
+	std::string NotReusable;                // why the cache was not asked, or kept nothing; of the last of them
 	uint64_t Pixels = 0;                    // pixels drawn, threads dispatched, texels copied or cleared
 	uint64_t Taps = 0;                      // texture samples, gathers and loads
 	ETapCount TapCount = ETapCount::Static; // of Taps; of several dispatches, the last of its values

@@ -5,6 +5,7 @@
 #include "CodeScope.h"
 #include "DispatchBackend.h"
 #include "DispatchObserver.h"
+#include "DispatchReuse.h"
 #include "KernelWatch.h"
 #include "Math/ToInteger.h"
 #include "NativeFallback.h"
@@ -143,8 +144,8 @@ void FRHIComputeCommandList::DispatchIndirectComputeShader(FRHIBuffer* ArgumentB
 	DispatchComputeShader(Counts[0], Counts[1], Counts[2]);
 }
 
-void FRHIComputeCommandList::RunTiles(
-	const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const FKernelTile& Whole, FIntVector TileSize)
+void FRHIComputeCommandList::RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args,
+	const FKernelTile& Whole, FIntVector TileSize, const std::vector<FRHITexture*>& Targets)
 {
 	Drydock::RequireAllSet(Shader);
 	// Behind an early return, as every compute shader has one, only who runs the shader knows how many threads tap.
@@ -158,6 +159,11 @@ void FRHIComputeCommandList::RunTiles(
 	{
 		Observer->BeforeDispatch(Shader, Args, Whole);
 	}
+	Drydock::FDispatchReuse Reuse(Shader, Args, Whole, Targets);
+	std::optional<Drydock::FDispatchReuse::FRun> Run = Reuse.Take();
+	++Counters.Dispatches;
+	Counters.Reused += Run ? 1 : 0;
+	if (!Run)
 	{
 		// Compiled by drydock: a fault inside a kernel is not the fault of its caller.
 		const Drydock::FCodeOwner* const Caller = Drydock::GetRunningCode();
@@ -180,6 +186,9 @@ void FRHIComputeCommandList::RunTiles(
 			Drydock::ForEachTile(
 				Whole, TileSize, RunTile, Shader.bDouble ? Drydock::EDenormals::Keep : Drydock::EDenormals::Flush);
 		}
+		Run = {MeasuredTaps, Drydock::GetNativeFallbacks() != FallbacksBefore};
+		Reuse.Keep(*Run);
+		Counters.NotReusable = Reuse.GetWhyNot();
 	}
 	for (auto Observer = Observers.rbegin(); Observer != Observers.rend(); ++Observer)
 	{
@@ -193,7 +202,7 @@ void FRHIComputeCommandList::RunTiles(
 	Counters.Ran |= bOnBackend      ? Drydock::EShaderRun::Backend
 					: Shader.Native ? Drydock::EShaderRun::NativeKernel
 									: Drydock::EShaderRun::Shader;
-	if (Drydock::GetNativeFallbacks() != FallbacksBefore)
+	if (Run->bFellBack)
 	{
 		Counters.Ran |= Drydock::EShaderRun::Shader;
 	}
@@ -213,7 +222,7 @@ void FRHIComputeCommandList::RunTiles(
 			{}, 0, 0, "shader class " + Shader.Name});
 	}
 	Counters.Pixels += Pixels;
-	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : MeasuredTaps.load();
+	Counters.Taps += StaticSamples >= 0 ? Pixels * uint64(StaticSamples) : Run->Taps;
 	Counters.TapCount = std::max(Counters.TapCount, StaticSamples >= 0        ? Drydock::ETapCount::Static
 													: bMeasure && !bOnBackend ? Drydock::ETapCount::Measured
 																			  : Drydock::ETapCount::Unknown);
@@ -425,7 +434,7 @@ void FRHICommandList::DrawRect(
 	for (uint32 Instance = 0; Instance < NumInstances; ++Instance)
 	{
 		const FIntPoint TileSize = ChooseTileSize(Whole);
-		RunTiles(BoundPixel, Args, Whole, FIntVector(TileSize.X, TileSize.Y, 1));
+		RunTiles(BoundPixel, Args, Whole, FIntVector(TileSize.X, TileSize.Y, 1), GetTargetTextures());
 		for (const Drydock::FKernelTarget& Target : Targets)
 		{
 			if (Target.WriteMask)

@@ -173,9 +173,10 @@ public:
 	Drydock::FBoundShader& GetBound(FRHIComputeShader*) { return BoundCompute; }
 
 protected:
-	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. */
+	/** Runs tiles of a bound shader under its arithmetic's denormal mode and counts. Targets: the textures of
+	 * Args.Targets. */
 	void RunTiles(const Drydock::FBoundShader& Shader, Drydock::FKernelArgs Args, const Drydock::FKernelTile& Whole,
-		FIntVector TileSize);
+		FIntVector TileSize, const std::vector<FRHITexture*>& Targets = {});
 
 private:
 	void NoteCleared(const FRHIUnorderedAccessView* View);
@@ -256,6 +257,7 @@ private:
 	void DrawVertices(const Drydock::FVertexDraw& Draw, uint32 NumInstances);
 	void CheckDraw();
 	std::vector<Drydock::FKernelTarget> MakeTargets() const;
+	std::vector<FRHITexture*> GetTargetTextures() const;
 	std::vector<Drydock::FKernelInterpolant> MakeInterpolants(int32 NumRead) const;
 	FIntRect GetDrawRect() const;
 

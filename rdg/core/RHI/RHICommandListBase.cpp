@@ -135,6 +135,7 @@ void FRHICommandListBase::UnlockTexture2D(FRHITexture* Texture, uint32 MipIndex,
 		const FIntRect Whole(0, 0, At.SizeX, At.SizeY);
 		Drydock::WriteNativeTexels(Texture, Whole, int32(MipIndex), 0, Locked.Staging.data(), Locked.Pitch);
 	}
+	Texture->Touch(); // what was written since the lock
 	LockedTextures.erase(Entry);
 }
 

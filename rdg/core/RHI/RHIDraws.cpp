@@ -170,6 +170,19 @@ std::vector<Drydock::FKernelTarget> FRHICommandList::MakeTargets() const
 	return Targets;
 }
 
+/** By their indices in the kernel's targets. */
+std::vector<FRHITexture*> FRHICommandList::GetTargetTextures() const
+{
+	std::vector<FRHITexture*> Textures;
+	for (const FRHIRenderPassInfo::FColorEntry& Entry : RenderPass.ColorRenderTargets)
+	{
+		Textures.push_back(Entry.RenderTarget);
+	}
+	Textures.resize(Drydock::GDepthTarget);
+	Textures.push_back(RenderPass.DepthStencilRenderTarget.DepthStencilTarget);
+	return Textures;
+}
+
 void FRHICommandList::DrawViewport(uint32 NumInstances)
 {
 	CheckDraw();

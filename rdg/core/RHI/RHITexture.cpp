@@ -80,6 +80,7 @@ size_t FRHITexture::ComputeSize(const FRHITextureDesc& Desc)
 void FRHITexture::PlaceAt(void* InMemory)
 {
 	Memory.PlaceAt(InMemory);
+	Touch();
 	RebuildMipTables();
 }
 
@@ -116,6 +117,7 @@ void FRHITexture::CopyFrom(FRHITexture& Source)
 	check(Source.Layout.SizeInBytes == Layout.SizeInBytes);
 	Source.EnsureMemory();
 	EnsureMemory();
+	Touch();
 	std::memcpy(Memory.Get(), Source.Memory.Get(), Layout.SizeInBytes);
 }
 
@@ -158,7 +160,7 @@ Drydock::FKernelTexture FRHITexture::GetKernelView(int32 FirstMip, int32 NumMips
 	return View;
 }
 
-uint8* FRHITexture::GetTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane)
+uint8* FRHITexture::FindTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane)
 {
 	EnsureMemory();
 	checkf(Mip >= 0 && Mip < Desc.NumMips && Plane >= 0 && Plane < GetNumPlanes(),
@@ -173,7 +175,7 @@ uint8* FRHITexture::GetTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane)
 FLinearColor FRHITexture::ReadTexel(int32 X, int32 Y, int32 Mip, int32 Z)
 {
 	float Value[4];
-	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	Drydock::DecodeTexel(GetStorage(), GetTexelToRead(X, Y, Mip, Z), Value);
 	return FLinearColor(Value[0], Value[1], Value[2], Value[3]);
 }
 
@@ -186,7 +188,7 @@ void FRHITexture::WriteTexel(int32 X, int32 Y, const FLinearColor& Value, int32 
 FVector4 FRHITexture::ReadTexelDouble(int32 X, int32 Y, int32 Mip, int32 Z)
 {
 	double Value[4];
-	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	Drydock::DecodeTexel(GetStorage(), GetTexelToRead(X, Y, Mip, Z), Value);
 	return FVector4(Value[0], Value[1], Value[2], Value[3]);
 }
 
@@ -200,7 +202,7 @@ FUintVector4 FRHITexture::ReadTexelUint(int32 X, int32 Y, int32 Mip, int32 Z)
 {
 	checkf(IsInteger(Desc.Format), TEXT("texture %s does not hold integers"), *GetName().ToString());
 	uint32_t Value[4];
-	Drydock::DecodeTexel(GetStorage(), GetTexel(X, Y, Mip, Z), Value);
+	Drydock::DecodeTexel(GetStorage(), GetTexelToRead(X, Y, Mip, Z), Value);
 	return FUintVector4(Value[0], Value[1], Value[2], Value[3]);
 }
 
@@ -217,9 +219,9 @@ void FRHITexture::ReadRow(int32 X, int32 Y, TArrayView<FLinearColor> OutColors, 
 	{
 		return;
 	}
-	GetTexel(X + OutColors.Num() - 1, Y, Mip, Z); // checks the far end
+	GetTexelToRead(X + OutColors.Num() - 1, Y, Mip, Z); // checks the far end
 	static_assert(sizeof(FLinearColor) == 4 * sizeof(float));
-	Drydock::DecodeTexelRow(GetStorage(), GetTexel(X, Y, Mip, Z), OutColors.Num(), 4, &OutColors[0].R);
+	Drydock::DecodeTexelRow(GetStorage(), GetTexelToRead(X, Y, Mip, Z), OutColors.Num(), 4, &OutColors[0].R);
 }
 
 void FRHITexture::WriteRow(int32 X, int32 Y, TConstArrayView<FLinearColor> Colors, int32 Mip, int32 Z)
@@ -251,14 +253,14 @@ void FRHITexture::FillRect(const void* Texel, FIntRect Rect, int32 Mip, int32 Sl
 	{
 		return;
 	}
-	GetTexel(Rect.Max.X - 1, Rect.Max.Y - 1, Mip, std::max(0, Slice), Plane); // checks the far corner
+	FindTexel(Rect.Max.X - 1, Rect.Max.Y - 1, Mip, std::max(0, Slice), Plane); // checks the far corner
 	const Drydock::FTextureMipLayout& At = GetMipLayout(Mip, Plane);
 	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage(Plane)).BytesPerTexel;
 	const size_t RowBytes = size_t(Rect.Width()) * TexelBytes;
 
 	const int32 FirstSlice = Slice < 0 ? 0 : Slice;
 	const int32 LastSlice = Slice < 0 ? At.SizeZ - 1 : Slice;
-	uint8* const FirstRow = GetTexel(Rect.Min.X, Rect.Min.Y, Mip, FirstSlice, Plane);
+	uint8* const FirstRow = FindTexel(Rect.Min.X, Rect.Min.Y, Mip, FirstSlice, Plane);
 	for (size_t Byte = 0; Byte < RowBytes; Byte += TexelBytes)
 	{
 		std::memcpy(FirstRow + Byte, Texel, TexelBytes);
@@ -267,11 +269,77 @@ void FRHITexture::FillRect(const void* Texel, FIntRect Rect, int32 Mip, int32 Sl
 	{
 		for (int32 Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
 		{
-			uint8* const Row = GetTexel(Rect.Min.X, Y, Mip, Z, Plane);
+			uint8* const Row = FindTexel(Rect.Min.X, Y, Mip, Z, Plane);
 			if (Row != FirstRow)
 			{
 				std::memcpy(Row, FirstRow, RowBytes);
 			}
 		}
 	}
+
+	// Cheaper than a look at the texels, and another hash than that gives.
+	Drydock::FMemoryHash Hash;
+	if (Rect == FIntRect(0, 0, At.SizeX, At.SizeY) && (Slice < 0 || At.SizeZ == 1))
+	{
+		Drydock::FMemoryHasher Hasher;
+		Hasher.Add(Texel, TexelBytes);
+		Hash = Hasher.Get();
+	}
+	SetMipHash(Mip, Plane, Hash);
+}
+
+namespace
+{
+
+std::atomic<uint64> GTimesForgotten{1};
+
+} // namespace
+
+void FRHITexture::ForgetMipHashes()
+{
+	GTimesForgotten.fetch_add(1, std::memory_order_relaxed);
+}
+
+bool FRHITexture::FindMip(const uint8* Address, int32& OutMip, int32& OutPlane) const
+{
+	for (OutPlane = 0; OutPlane < GetNumPlanes(); ++OutPlane)
+	{
+		for (OutMip = 0; OutMip < int32(Desc.NumMips); ++OutMip)
+		{
+			const Drydock::FTextureMipLayout& At = GetMipLayout(OutMip, OutPlane);
+			const uint8* const First = Memory.Get() + At.Offset;
+			if (Memory.Get() && Address >= First && Address < First + At.SlicePitch * At.SizeZ)
+			{
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+Drydock::FMemoryHash FRHITexture::GetMipHash(int32 Mip, int32 Plane)
+{
+	const size_t Index = size_t(Plane) * Desc.NumMips + size_t(Mip);
+	if (!bTouched && MipHashesSince == GTimesForgotten && MipHashes[Index].IsKnown())
+	{
+		return MipHashes[Index];
+	}
+	uint8* const First = FindTexel(0, 0, Mip, 0, Plane);
+	const Drydock::FTextureMipLayout& At = GetMipLayout(Mip, Plane);
+	const size_t TexelBytes = Drydock::GetTexelStorageInfo(GetStorage(Plane)).BytesPerTexel;
+	SetMipHash(Mip, Plane,
+		Drydock::HashTexels({First, size_t(At.SizeX) * TexelBytes, At.SizeY, At.SizeZ, At.RowPitch, At.SlicePitch}));
+	return MipHashes[Index];
+}
+
+void FRHITexture::SetMipHash(int32 Mip, int32 Plane, const Drydock::FMemoryHash& Hash)
+{
+	const uint64 Forgotten = GTimesForgotten;
+	if (bTouched || MipHashesSince != Forgotten || MipHashes.empty())
+	{
+		MipHashes.assign(Layout.Planes.size() * Desc.NumMips, {});
+		MipHashesSince = Forgotten;
+		bTouched = false;
+	}
+	MipHashes[size_t(Plane) * Desc.NumMips + size_t(Mip)] = Hash;
 }

@@ -2,12 +2,14 @@
 // given by PlaceAt (the graph's transient heap). Source: engine RHIResources.h; memory and texel access are drydock's.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "Misc/EngineApi.h"
 #include "RHIResource.h"
 #include "RHITextureDesc.h"
 #include "ShaderKernel.h"
+#include "TexelBlock.h"
 #include "TextureLayout.h"
 
 /** A resource that views can be made of. */
@@ -77,11 +79,38 @@ public:
 	void EnsureMemory();
 
 	/** The texture as a shader sees it. NumMips < 0: all from FirstMip. Slice >= 0: that array layer or depth slice as
-	 * a 2D texture. Plane 1: the stencil of a depth-stencil texture. Valid while this texture lives. */
+	 * a 2D texture. Plane 1: the stencil of a depth-stencil texture. Valid while this texture lives. Whoever writes
+	 * through it beside draws and dispatches calls Touch then. */
 	Drydock::FKernelTexture GetKernelView(int32 FirstMip = 0, int32 NumMips = -1, int32 Slice = -1, int32 Plane = 0);
 
-	/** Address of a texel. Indices are checked. */
-	uint8* GetTexel(int32 X, int32 Y, int32 Mip = 0, int32 Z = 0, int32 Plane = 0);
+	/** Address of a texel, to be written at once (else call Touch then). Indices are checked. */
+	uint8* GetTexel(int32 X, int32 Y, int32 Mip = 0, int32 Z = 0, int32 Plane = 0)
+	{
+		Touch();
+		return FindTexel(X, Y, Mip, Z, Plane);
+	}
+	/** The same for those who only read. */
+	const uint8* GetTexelToRead(int32 X, int32 Y, int32 Mip = 0, int32 Z = 0, int32 Plane = 0)
+	{
+		return FindTexel(X, Y, Mip, Z, Plane);
+	}
+
+	/** Texels may be others from here on: their hashes are not known. From any thread. */
+	void Touch()
+	{
+		if (!bTouched.load(std::memory_order_relaxed))
+		{
+			bTouched.store(true, std::memory_order_relaxed);
+		}
+	}
+	/** A hash of all texels of a mip; computed where it is not known. */
+	Drydock::FMemoryHash GetMipHash(int32 Mip, int32 Plane = 0);
+	/** For who has written all of the mip's texels, or some of them (a hash that is not known). */
+	void SetMipHash(int32 Mip, int32 Plane, const Drydock::FMemoryHash& Hash);
+	/** The hashes of all textures: something wrote a texture, and nobody knows which. */
+	static void ForgetMipHashes();
+	/** The mip and plane that an address is in; false: none. */
+	bool FindMip(const uint8* Address, int32& OutMip, int32& OutPlane) const;
 
 	/** One texel, converted as a shader's load and store convert. Z is a depth slice or an array layer. */
 	FLinearColor ReadTexel(int32 X, int32 Y, int32 Mip = 0, int32 Z = 0);
@@ -111,6 +140,7 @@ public:
 
 private:
 	void RebuildMipTables();
+	uint8* FindTexel(int32 X, int32 Y, int32 Mip, int32 Z, int32 Plane);
 
 	FRHITextureDesc Desc;
 	Drydock::FTextureLayout Layout;
@@ -118,6 +148,9 @@ private:
 	// Per plane: NumMips entries for the whole texture, then NumMips for each slice. Never resized, so views stay
 	// valid.
 	std::vector<std::vector<Drydock::FKernelMip>> MipTables;
+	std::vector<Drydock::FMemoryHash> MipHashes; // of all mips, plane by plane; those since a touch are not known
+	uint64 MipHashesSince = 0;                   // how often all hashes were forgotten then
+	std::atomic<bool> bTouched{false};
 };
 
 using FRHITexture2D = FRHITexture;

@@ -29,7 +29,7 @@ void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32
 {
 	const size_t RowBytes = size_t(Size.X) * GetTexelStorageInfo(Source->GetStorage()).BytesPerTexel;
 	// Far corners first: a copy beyond either texture touches nothing.
-	Source->GetTexel(From.X + Size.X - 1, From.Y + Size.Y - 1, SourceMip, From.Z + Size.Z - 1);
+	Source->GetTexelToRead(From.X + Size.X - 1, From.Y + Size.Y - 1, SourceMip, From.Z + Size.Z - 1);
 	Dest->GetTexel(To.X + Size.X - 1, To.Y + Size.Y - 1, DestMip, To.Z + Size.Z - 1);
 	const auto CopyRows = [&](const FKernelTile& Rows)
 	{
@@ -38,7 +38,7 @@ void CopyMipSlice(FRHITexture* Source, FRHITexture* Dest, FIntVector From, int32
 			for (int32 Y = Rows.MinY; Y < Rows.MaxY; ++Y)
 			{
 				std::memmove(Dest->GetTexel(To.X, To.Y + Y, DestMip, To.Z + Z),
-					Source->GetTexel(From.X, From.Y + Y, SourceMip, From.Z + Z), RowBytes);
+					Source->GetTexelToRead(From.X, From.Y + Y, SourceMip, From.Z + Z), RowBytes);
 			}
 		}
 	};
@@ -138,7 +138,7 @@ void ReadNativeTexels(FRHITexture* Texture, FIntRect Rect, int32 Mip, int32 Slic
 	Texture->GetTexel(Rect.Max.X - 1, Rect.Max.Y - 1, Mip, Slice);
 	for (int32 Y = Rect.Min.Y; Y < Rect.Max.Y; ++Y)
 	{
-		const uint8* const From = Texture->GetTexel(Rect.Min.X, Y, Mip, Slice);
+		const uint8* const From = Texture->GetTexelToRead(Rect.Min.X, Y, Mip, Slice);
 		uint8* const To = Dest + size_t(Y - Rect.Min.Y) * DestPitch;
 		if (Native == Stored)
 		{
@@ -282,6 +282,7 @@ uint64 ClearView(const FRHIUnorderedAccessView* View, const FVector4f& Value)
 	if (View->IsTexture())
 	{
 		const FKernelTexture Texture = View->GetKernelTexture();
+		View->GetTexture()->Touch();
 		EncodeTexel(Texture.Storage, Channels, Texel, Texture.bSaturateStore);
 		return FillKernelView(Texture, Texel);
 	}
@@ -299,6 +300,7 @@ uint64 ClearView(const FRHIUnorderedAccessView* View, const FUintVector4& Value)
 	if (View->IsTexture())
 	{
 		const FKernelTexture Texture = View->GetKernelTexture();
+		View->GetTexture()->Touch();
 		const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture.Storage);
 		if (Info.BitsPerChannel == 32)
 		{

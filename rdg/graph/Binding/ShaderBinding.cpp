@@ -22,22 +22,32 @@ namespace Drydock
 namespace
 {
 
-FKernelTexture GetTexture(const FResourceCopy& Copy, const void* Contents)
+FKernelTexture GetTexture(const FResourceCopy& Copy, const void* Contents, FRHITexture*& OutOwner)
 {
+	const auto Take = [&OutOwner](auto* View)
+	{
+		OutOwner = View->GetTexture();
+		return View->GetKernelTexture();
+	};
+	const auto TakeWhole = [&OutOwner](FRHITexture* Texture)
+	{
+		OutOwner = Texture;
+		return Texture->GetKernelView();
+	};
 	switch (Copy.BaseType)
 	{
 	case UBMT_TEXTURE:
-		return ReadPointer<FRHITexture>(Contents, Copy.SourceOffset)->GetKernelView();
+		return TakeWhole(ReadPointer<FRHITexture>(Contents, Copy.SourceOffset));
 	case UBMT_SRV:
-		return ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+		return Take(ReadPointer<FRHIShaderResourceView>(Contents, Copy.SourceOffset));
 	case UBMT_UAV:
-		return ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset)->GetKernelTexture();
+		return Take(ReadPointer<FRHIUnorderedAccessView>(Contents, Copy.SourceOffset));
 	case UBMT_RDG_TEXTURE:
-		return ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelView();
+		return TakeWhole(ReadPointer<FRDGTexture>(Contents, Copy.SourceOffset)->GetRHI());
 	case UBMT_RDG_TEXTURE_SRV:
-		return ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
+		return Take(ReadPointer<FRDGTextureSRV>(Contents, Copy.SourceOffset)->GetRHI());
 	case UBMT_RDG_TEXTURE_UAV:
-		return ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset)->GetRHI()->GetKernelTexture();
+		return Take(ReadPointer<FRDGTextureUAV>(Contents, Copy.SourceOffset)->GetRHI());
 	default:
 		checkNoEntry();
 		return {};
@@ -103,6 +113,17 @@ void MakeConstantBuffers(const FShaderReflection& Reflection, FBoundShader& Out)
 	}
 }
 
+void MakeResourceSlots(const FShaderReflection& Reflection, FBoundShader& Out)
+{
+	Out.Textures.resize(Reflection.Textures.size());
+	Out.TextureOwners.resize(Reflection.Textures.size());
+	Out.RWTextures.resize(Reflection.RWTextures.size());
+	Out.RWTextureOwners.resize(Reflection.RWTextures.size());
+	Out.Samplers.resize(Reflection.Samplers.size());
+	Out.Buffers.resize(Reflection.Buffers.size());
+	Out.RWBuffers.resize(Reflection.RWBuffers.size());
+}
+
 } // namespace
 
 std::vector<FDiagnostic> MatchShaderParameters(
@@ -145,21 +166,17 @@ void FollowShaderBindingPlan(
 			static_cast<const uint8*>(Contents[Copy.Source]) + Copy.SourceOffset, Copy.Size);
 	}
 
-	Out.Textures.resize(Reflection.Textures.size());
-	Out.RWTextures.resize(Reflection.RWTextures.size());
-	Out.Samplers.resize(Reflection.Samplers.size());
-	Out.Buffers.resize(Reflection.Buffers.size());
-	Out.RWBuffers.resize(Reflection.RWBuffers.size());
+	MakeResourceSlots(Reflection, Out);
 	for (const FResourceCopy& Copy : Plan.Resources)
 	{
 		const void* const Source = Contents[Copy.Source];
 		switch (Copy.List)
 		{
 		case EResourceList::Textures:
-			Out.Textures[Copy.Slot] = GetTexture(Copy, Source);
+			Out.Textures[Copy.Slot] = GetTexture(Copy, Source, Out.TextureOwners[Copy.Slot]);
 			break;
 		case EResourceList::RWTextures:
-			Out.RWTextures[Copy.Slot] = GetTexture(Copy, Source);
+			Out.RWTextures[Copy.Slot] = GetTexture(Copy, Source, Out.RWTextureOwners[Copy.Slot]);
 			break;
 		case EResourceList::Samplers:
 			Out.Samplers[Copy.Slot] = ReadPointer<FRHISamplerState>(Source, Copy.SourceOffset)->GetKernelSampler();
@@ -214,6 +231,7 @@ void BindShaderParameters(
 		Out.Edited = Type.GetShaderFilename();
 	}
 	Out.Kernel = Compiled->Run;
+	Out.Key = Compiled->Key;
 	Out.Vertex = Compiled->Vertex;
 	Out.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Compiled->Reflection);
 	const std::shared_ptr<const FShaderBindingPlan> Plan = GetPlan(Shader, *Out.Reflection, Metadata);
@@ -223,6 +241,7 @@ void BindShaderParameters(
 	{
 		const std::shared_ptr<const FCompiledShader> ByQuads = GetCompiledShader(Shader, true);
 		Out.Kernel = ByQuads->Run;
+		Out.Key = ByQuads->Key;
 		Out.Reflection = std::shared_ptr<const FShaderReflection>(ByQuads, &ByQuads->Reflection);
 	}
 	ReportDroppedComponents(*Plan, *Out.Reflection, Out.Name, Parameters);
@@ -256,14 +275,11 @@ FBoundShader BindToBeSet(FShader& Shader)
 	Bound.Permutation = &Shader;
 	Bound.bDouble = GetShaderLaneConfig().bDouble;
 	Bound.Kernel = Compiled->Run;
+	Bound.Key = Compiled->Key;
 	Bound.Vertex = Compiled->Vertex;
 	Bound.Reflection = std::shared_ptr<const FShaderReflection>(Compiled, &Reflection);
 	MakeConstantBuffers(Reflection, Bound);
-	Bound.Textures.resize(Reflection.Textures.size());
-	Bound.RWTextures.resize(Reflection.RWTextures.size());
-	Bound.Samplers.resize(Reflection.Samplers.size());
-	Bound.Buffers.resize(Reflection.Buffers.size());
-	Bound.RWBuffers.resize(Reflection.RWBuffers.size());
+	MakeResourceSlots(Reflection, Bound);
 	return Bound;
 }
 

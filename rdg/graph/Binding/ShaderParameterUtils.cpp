@@ -51,12 +51,17 @@ void Begin(FBoundShader& Bound, const FShaderResourceParameter& Parameter)
 
 /** Puts a resource into the slot of that name, if the shader has one. */
 template<typename TView, typename TGet>
-void Put(const std::vector<FShaderResource>& Names, std::vector<TView>& Slots, const std::string& Name, const TGet& Get)
+void Put(const std::vector<FShaderResource>& Names, std::vector<TView>& Slots, const std::string& Name, const TGet& Get,
+	std::vector<FRHITexture*>* Owners = nullptr, FRHITexture* Owner = nullptr)
 {
 	const auto Found = std::ranges::find(Names, Name, &FShaderResource::Name);
 	if (Found != Names.end())
 	{
 		Slots[size_t(Found - Names.begin())] = Get();
+		if (Owners)
+		{
+			(*Owners)[size_t(Found - Names.begin())] = Owner;
+		}
 	}
 }
 
@@ -78,8 +83,10 @@ void SetView(FBoundShader& Bound, const FShaderResourceParameter& Parameter, TVi
 	}
 	Begin(Bound, Parameter);
 	const FShaderReflection& Reflection = Bound.GetReflection();
-	Put(bWritten ? Reflection.RWTextures : Reflection.Textures, bWritten ? Bound.RWTextures : Bound.Textures,
-		Parameter.GetName(), [View] { return View->GetKernelTexture(); });
+	Put(
+		bWritten ? Reflection.RWTextures : Reflection.Textures, bWritten ? Bound.RWTextures : Bound.Textures,
+		Parameter.GetName(), [View] { return View->GetKernelTexture(); },
+		bWritten ? &Bound.RWTextureOwners : &Bound.TextureOwners, View->GetTexture());
 	Put(bWritten ? Reflection.RWBuffers : Reflection.Buffers, bWritten ? Bound.RWBuffers : Bound.Buffers,
 		Parameter.GetName(), [View] { return View->GetKernelBuffer(); });
 }
@@ -116,8 +123,9 @@ void SetNamedTexture(FBoundShader& Bound, const FShaderResourceParameter& Parame
 	if (Texture)
 	{
 		Begin(Bound, Parameter);
-		Put(Bound.GetReflection().Textures, Bound.Textures, Parameter.GetName(),
-			[Texture] { return Texture->GetKernelView(); });
+		Put(
+			Bound.GetReflection().Textures, Bound.Textures, Parameter.GetName(),
+			[Texture] { return Texture->GetKernelView(); }, &Bound.TextureOwners, Texture);
 	}
 }
 

@@ -3,6 +3,7 @@
 
 #include "CodeScope.h"
 #include "DiagnosticList.h"
+#include "DispatchReuse.h"
 #include "PrintText.h"
 #include "RangeTools.h"
 #include "RenderGraphAlias.h"
@@ -280,16 +281,17 @@ void FRDGExecutor::MakeReady(FRDGViewableResource& Resource)
 	if (State.Settings.ClobberResources == 0 || !PassesRDGGraphFilter(State.Graph.Name.c_str()) ||
 		!PassesRDGResourceFilter(Resource.Name))
 	{
-		if (Resource.Type == ERDGViewableResourceType::Texture && State.Observer)
+		const bool bReuse = GetReuseCache() != nullptr; // old contents would be part of each result
+		if (Resource.Type == ERDGViewableResourceType::Texture)
 		{
 			auto& Texture = static_cast<FRHITexture&>(*Resource.ResourceRHI);
-			const bool bZero = State.Observer->OnTextureMade(Texture);
-			if (bZero || State.Observer->WantsZeroedTextures())
+			const bool bZero = State.Observer && State.Observer->OnTextureMade(Texture);
+			if (bZero || bReuse || (State.Observer && State.Observer->WantsZeroedTextures()))
 			{
 				ZeroTexture(Texture);
 			}
 		}
-		else if (State.Observer)
+		else if (State.Observer || bReuse)
 		{
 			ZeroBuffer(static_cast<FRHIBuffer&>(*Resource.ResourceRHI));
 		}
