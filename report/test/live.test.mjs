@@ -44,14 +44,14 @@ test("while a hand drags one edit at most is in flight, the newest value wins, a
 		await until(page, () => Number(document.querySelector("#latency").dataset.count) > 1);
 		await page.waitForTimeout(300);
 		const sent = edits(mock, "BloomIntensity");
-		assert.ok(sent.length >= 3 && sent.length < 20, `${sent.length} edits of 40 moves`);
-		sent.slice(1).forEach(({ at }, i) => assert.ok(at - sent[i].at >= 78, "an edit was sent while a frame of 80 ms was in flight"));
+		assert.ok(sent.length >= 3 && sent.length < 40, `${sent.length} edits of 40 moves`);
+		sent.slice(1).forEach((edit, i) => assert.ok(mock.log.slice(mock.log.indexOf(sent[i]), mock.log.indexOf(edit)).some(({ path }) => path === "(frame)"), "an edit was sent while a frame was in flight"));
 		assert.deepEqual(sent.at(-1).body.edits, [{ set: "/camera/Settings/BloomIntensity", value: last }]);
 		assert.equal(new Set(sent.map(({ body }) => body.drag)).size, 1);
 		const { ms, median, count } = await page.evaluate(() => ({ ...document.querySelector("#latency").dataset }));
-		assert.ok(Number(ms) >= 80 && Number(median) >= 80 && Number(median) < 1000 && Number(count) >= sent.length - 1);
-		assert.match(await page.textContent("#status"), /960 × 540 · passes .* 2 of 3 passes ran.*hand to picture .* median of this drag/);
-	}, { mock: { delay: 80 } });
+		assert.ok(Number(ms) >= 150 && Number(median) >= 150 && Number(median) < 3000 && Number(count) >= sent.length - 1);
+		assert.match(await page.textContent("#status"), /480 × 270 · passes .* 2 of 3 passes ran.*hand to picture .* median of this drag/);
+	}, { mock: { delay: 150 } });
 });
 
 test("at one to one the canvas holds the bytes that the server sent", async () => {
@@ -66,17 +66,17 @@ test("at one to one the canvas holds the bytes that the server sent", async () =
 			const canvas = document.querySelector("#canvas");
 			return { width: canvas.width, height: canvas.height, bytes: [...canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data] };
 		});
-		const { data } = mock.pictures.get("now");
-		const [left, top] = [Math.round((shown.width - 960) / 2), Math.round((shown.height - 540) / 2)];
-		assert.ok(shown.width >= 960 && shown.height >= 540);
+		const { bytes, width, height } = mock.pictures.get("now");
+		const [left, top] = [Math.round((shown.width - width) / 2), Math.round((shown.height - height) / 2)];
+		assert.ok(shown.width >= width && shown.height >= height);
 		let wrong = 0;
-		for (let y = 0; y < 540; ++y) {
-			for (let x = 0; x < 960 * 4; ++x) {
-				wrong += Number(shown.bytes[((y + top) * shown.width + left) * 4 + x] !== Math.round(data[y * 960 * 4 + x] * 255));
+		for (let y = 0; y < height; ++y) {
+			for (let x = 0; x < width * 4; ++x) {
+				wrong += Number(shown.bytes[((y + top) * shown.width + left) * 4 + x] !== bytes[y * width * 4 + x]);
 			}
 		}
 		assert.equal(wrong, 0);
-	}, { viewport: { width: 1800, height: 1100 } });
+	});
 });
 
 test("a bad number stays at its control and is not sent; what the server refuses stands there too", async () => {
@@ -105,9 +105,9 @@ test("a fault stands above the picture with code and place, the last good pictur
 		const bytes = () => page.evaluate(() => document.querySelector("#canvas").toDataURL());
 		await page.waitForTimeout(700);
 		const before = await bytes();
-		mock.fail([{ severity: "error", code: "DD4012", message: "unexpected token ';'", where: "shaders/Toon.usf:12:4" }]);
+		mock.fail([{ severity: "error", code: "DD4012", message: "unexpected token ';'", where: "MainPS", file: "shaders/Toon.usf", line: 12 }]);
 		await page.waitForSelector("#faults p");
-		assert.equal(await page.textContent("#faults p"), "shaders/Toon.usf:12:4 DD4012 unexpected token ';'");
+		assert.equal(await page.textContent("#faults p"), "shaders/Toon.usf:12 at MainPS DD4012 unexpected token ';'");
 		const [fault, canvas] = [await page.locator("#faults").boundingBox(), await page.locator("#canvas").boundingBox()];
 		assert.ok(fault.y + fault.height <= canvas.y + 1);
 		assert.equal(await bytes(), before);
@@ -134,7 +134,6 @@ test("undo, redo and reset by keys and buttons; a second tab and a reload see th
 		await page.reload();
 		await page.waitForSelector("html[data-ready]");
 		await shows(page, "3");
-		assert.equal(new URL(page.url()).search, "");
 		await page.click('[data-setting="BloomIntensity"] .setting-head .small');
 		await shows(page, "1.5");
 		await shows(other, "1.5");
@@ -158,16 +157,6 @@ test("a server that goes away is said and waited for; one that has ended says so
 		await page.waitForSelector("html[data-ended]");
 		assert.match(await page.textContent("#notice"), /has ended/);
 	}, { allow: /ERR_|Failed to load/ });
-});
-
-test("an address without its token says what to do", async () => {
-	const mock = await startMock();
-	await onPage(mock.url, async (page) => {
-		const tab = await page.context().newPage();
-		await tab.goto(new URL("/", mock.url).href);
-		await until(tab, () => /open the address that drydock live printed/.test(document.body.textContent));
-	}, { allow: /403|Uncaught/ });
-	await mock.breakOff();
 });
 
 test("save asks a second time before it writes over a file; text can be copied; the session is a file", async () => {
@@ -283,7 +272,7 @@ test("pins and the start are compared with now; the difference of one state with
 test("passes lead into the graph and to their textures; a texel tells how it came about", async () => {
 	await withMock(async (page) => {
 		await page.click("#tab-passes");
-		assert.match(await page.textContent("#passes"), /1 BloomSetup\s*reused/);
+		assert.match(await page.textContent("#passes"), /1 {2}BloomSetup\s*reused/);
 		await page.click('#passes .link:has-text("BloomBlur")');
 		await page.waitForSelector("#pass-detail");
 		await page.click("#pass-detail .writes .link");
@@ -334,15 +323,13 @@ test("everything is done by keys alone", async () => {
 
 test("nothing runs over the side or moves when a picture comes, and axe finds nothing serious, in light and dark", async () => {
 	const mock = await startMock();
-	for (const tab of ["settings", "volumes", "variables", "passes", "price"]) {
-		await checkAxe(mock.url, async (page) => {
-			await page.click("#tab-" + tab);
-			await page.evaluate(() => document.querySelector("#graph-fold").setAttribute("open", ""));
-			await page.waitForSelector("#graph .pass");
-			await page.mouse.move(2, 2);
-			await page.waitForTimeout(300);
+	await checkAxe(mock.url, async (page) => {
+		await page.evaluate(() => {
+			document.querySelector("#graph-fold").open = true;
+			document.querySelectorAll('[role="tabpanel"]').forEach((panel) => (panel.hidden = false));
 		});
-	}
+		await page.waitForSelector("#graph .pass");
+	});
 	await onPage(mock.url, async (page) => {
 		const shifts = () => page.evaluate(() => new Promise((done) => {
 			new PerformanceObserver((list) => done(list.getEntries().reduce((sum, entry) => sum + entry.value, 0))).observe({ type: "layout-shift", buffered: true });

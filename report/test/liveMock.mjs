@@ -45,7 +45,8 @@ function makePicture(config, width, height) {
 	const data = new Float32Array(width * height * 4);
 	for (let y = 0; y < height; ++y) {
 		for (let x = 0; x < width; ++x) {
-			const [u, v] = [x / width, y / height];
+			const u = x / width;
+			const v = y / height;
 			const box = u > 0.6 && u < 0.85 && v > 0.3 && v < 0.7;
 			const fade = 1 - vignette * ((u - 0.5) ** 2 + (v - 0.5) ** 2);
 			const glow = box ? toon : 0.2 * bloom * Math.exp(-8 * ((u - 0.3) ** 2 + (v - 0.5) ** 2));
@@ -56,7 +57,11 @@ function makePicture(config, width, height) {
 			data[i + 3] = 1;
 		}
 	}
-	return { width, height, data };
+	const bytes = new Uint8Array(data.length);
+	for (let i = 0; i < data.length; ++i) {
+		bytes[i] = Math.round(data[i] * 255);
+	}
+	return { width, height, data, bytes };
 }
 
 const pass = (index, name, producers, reads, writes, more = {}) => ({
@@ -66,21 +71,21 @@ const pass = (index, name, producers, reads, writes, more = {}) => ({
 });
 
 function makeReport(frame, state) {
-	const passes = [pass(1, "BloomSetup", [], [0], [1]), pass(2, "BloomBlur", [1], [1], [2]), pass(3, "LensFlare", [], [0], [4], { culled: true, reason: "LensFlareIntensity is 0" }), pass(4, "Tonemap", [2], [0, 2], [3])];
+	const passes = [pass(1, "BloomSetup", [], [0], [1]), pass(2, "BloomBlur", [1], [1], [2]), pass(3, "LensFlare", [], [0], [4, 5, 6, 7], { culled: true, reason: "LensFlareIntensity is 0" }), pass(4, "Tonemap", [2], [0, 2], [3])];
 	const resource = (index, name, external) => ({ index, name, kind: "texture", shape: "960x540 PF_FloatRGBA", bytes: 4147200, external, extracted: false, transient: !external, firstPass: index || 1, lastPass: 4, heapOffset: external ? -1 : 4147200 * index, reason: "" });
 	return {
 		format: "drydock-report", formatVersion: 1, kind: "run", name: state.name, written: "2026-01-01T00:00:00Z",
 		run: { version: "0", config: state.config, engine: "5.4", precision: "float", storage: "half", scene: { file: "mock.exr", extent: [960, 540], viewRect: [0, 0, 960, 540] }, exposure: { scale: 1 }, settings: {}, effects: frame.effects, extensionCalls: [],
 			passes: passes.map(({ index, name, culled, shader }) => ({ index, name, executed: !culled, reason: "", shader, entry: "MainPS", runsAs: "native kernel", pixels: 518400, taps: 2592000, bytesRead: 4147200, bytesWritten: 4147200 })), memory: {}, channels: [], warnings: [] },
 		timing: { threads: 2, cpu: "mock", passes: frame.passes, startMs: 0, setupMs: 1, loadMs: 1, compileMs: 1, executeMs: 5, reportMs: 0, saveMs: 0, wallMs: 8 },
-		graph: { name: "mock", passes, resources: [resource(0, "SceneColor", true), resource(1, "BloomSetup"), resource(2, "BloomBlur"), resource(3, "Final"), resource(4, "Flare")], memory: { transientPeakBytes: 4147200 * 5, withoutAliasingBytes: 4147200 * 6 } },
+		graph: { name: "mock", passes, resources: [resource(0, "SceneColor", true), resource(1, "BloomSetup"), resource(2, "BloomBlur"), resource(3, "Final"), ...["Flare", "Ghosts", "Halo", "Exposure"].map((name, i) => resource(4 + i, name))], memory: { transientPeakBytes: 4147200 * 5, withoutAliasingBytes: 4147200 * 6 } },
 		passes: passes.map(({ index }) => ({ index, shaderFile: "/Engine/Private/Mock.usf", parameters: [{ name: "Scale", type: "float", value: "1" }] })),
 		settings: [], nonFinite: { passes: [] }, pictures: [], thumbnailsLeftOut: 0,
 	};
 }
 
 /** Starts the mock; delay: ms of a frame. Gives its address, what the page asked of it, and hands to make it fail or end. */
-export async function startMock({ port = 0, delay = 15, width = 960, height = 540 } = {}) {
+export async function startMock({ port = 0, delay = 15, width = 480, height = 270 } = {}) {
 	const token = "mock-token";
 	const clients = new Set();
 	const log = [];
@@ -114,6 +119,7 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 				const picture = makePicture(from, width, height);
 				pictures.set(String(of), picture).set("now", picture);
 				frame = makeFrame(of);
+				log.push({ path: "(frame)", body: {} });
 				tell("frame", frame);
 			}
 			if (waiting) {
@@ -138,10 +144,10 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 	const weigh = (volume) => {
 		const [x, y] = config.view.location;
 		const { bounds } = volume;
-		const distance = !bounds ? 0 : bounds.radius ? Math.max(Math.hypot(x - bounds.center[0], y - bounds.center[1]) - bounds.radius, 0)
+		const distance = !bounds ? 0 : bounds.type === "sphere" ? Math.max(Math.hypot(x - bounds.center[0], y - bounds.center[1]) - bounds.radius, 0)
 			: Math.hypot(...[x, y].map((value, i) => Math.max(Math.abs(value - bounds.center[i]) - bounds.extent[i], 0)));
 		const weight = volume.bEnabled === false ? 0 : volume.BlendWeight * (volume.bUnbound ? 1 : Math.max(0, 1 - distance / (volume.BlendRadius || 1)));
-		return { name: volume.name, priority: volume.Priority, blendWeight: volume.BlendWeight, blendRadius: volume.BlendRadius ?? 100, unbound: !!volume.bUnbound, enabled: volume.bEnabled !== false, bounds: bounds ?? null, distance, weight, skipped: weight ? null : volume.bEnabled === false ? "it is not enabled" : "the camera is too far away" };
+		return { name: volume.name, priority: volume.Priority, blendWeight: volume.BlendWeight, blendRadius: volume.BlendRadius ?? 100, unbound: !!volume.bUnbound, enabled: volume.bEnabled !== false, bounds: bounds ? { extent: [0, 0, 0], radius: 0, halfHeight: 0, rotation: [0, 0, 0], points: [], ...bounds } : null, distance, weight, skipped: weight ? null : volume.bEnabled === false ? "it is not enabled" : "the camera is too far away" };
 	};
 	const makeState = () => ({
 		revision, name: "mock", config: "configs/mock.json", canUndo: done.length > 0, canRedo: undone.length > 0, changed: done.length > 0,
@@ -149,7 +155,7 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 		view: { location: config.view.location, rotation: [0, 0, 0], path: [[-135, 10, 145], [-32, -4, 145], [105, -5, 142]] },
 		variables: [["r.BloomQuality", 5, true], ["r.Tonemapper.Quality", 5, true], ["r.DOF.Gather.RingCount", 5, false]].map(([name, value, matters]) => ({ name, value: config.cvars[name] ?? value, default: value, setBy: name in config.cvars ? "config" : "constructor", matters, doc: "What it does." })),
 		showFlags: [["Bloom", true], ["Vignette", true], ["Grain", false]].map(([name, matters]) => ({ name, value: config.showFlags[name] ?? true, default: true, matters })),
-		pins: [...pins].map(([pin, { name, revision }]) => ({ pin, name, revision })), dots, files: ["configs/mock.json"], frame, fault,
+		pins: [...pins].map(([pin, { name, revision }]) => ({ pin, name, revision })), dots, files: ["configs/mock.json"], frame, fault: fault && { revision, messages: fault },
 	});
 
 	const refuse = (status, message, code = "DD1010") => ({ status, body: { messages: [{ severity: "error", code, message, where: "" }] } });
@@ -201,7 +207,7 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 			return makeReport(frame, makeState());
 		} else if (path === "ledger") {
 			const setting = readSetting(settings.find(({ name }) => name === query.get("setting")));
-			return setting.value === setting.default ? [] : [{ source: setting.overridden ? "camera" : setting.inVolumes.at(-1), kind: "volume", rule: "Lerp", weight: 1, distance: null, before: setting.default, after: setting.value, skipped: null }];
+			return { ledger: { [setting.name]: setting.value === setting.default ? [] : [{ source: setting.overridden ? "camera" : setting.inVolumes.at(-1), kind: "volume", rule: "Lerp", weight: 1, distance: null, before: setting.default, after: setting.value, skipped: null }] } };
 		} else if (path === "price") {
 			const dot = { milliseconds: 4 + dots.length + 0.3, error: 0.004 / (1 + dots.length), metric: "flip", label: done.length ? `after ${done.length} steps` : "start", revision };
 			dots = [...dots, dot];
@@ -213,7 +219,7 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 				return refuse(409, "exists");
 			}
 			saved.add(body.path);
-			return { path: body.path };
+			return { saved: body.path };
 		} else if (path === "end") {
 			setTimeout(() => tell("bye", {}), 5);
 			return {};
@@ -229,13 +235,15 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 			chunks.push(chunk);
 		}
 		const body = chunks.length ? JSON.parse(Buffer.concat(chunks).toString()) : {};
-		if (url.pathname === "/") {
+		if (url.pathname === "/" && url.searchParams.get("token") === token) {
 			response.writeHead(200, { "Content-Type": "text/html; charset=utf-8" }).end(readFileSync(new URL("../live.html", import.meta.url)));
 			return;
 		}
 		log.push({ method: request.method, path, body, at: performance.now() });
 		if ((request.headers["x-drydock-token"] ?? url.searchParams.get("token")) !== token) {
 			response.writeHead(403).end("{}");
+		} else if (chunks.length && request.headers["content-type"] !== "application/json") {
+			response.writeHead(415).end("{}");
 		} else if (path === "events") {
 			response.writeHead(200, { "Content-Type": "text/event-stream", "Cache-Control": "no-store" });
 			response.write(": here\n\n");
@@ -248,8 +256,8 @@ export async function startMock({ port = 0, delay = 15, width = 960, height = 54
 				response.writeHead(404).end("{}");
 				return;
 			}
-			const data = kind === "final8" ? Uint8Array.from(picture.data, (value) => Math.round(value * 255)) : kind === "pass" ? picture.data.map((value, i) => (i % 4 === 3 ? 1 : value * 4)) : picture.data;
-			response.writeHead(200, { "Content-Type": "application/octet-stream", "X-Drydock-Width": width, "X-Drydock-Height": height, "X-Drydock-Channels": "R,G,B,A", "X-Drydock-Type": kind === "final8" ? "uint8" : "float" });
+			const data = kind === "final8" ? picture.bytes : kind === "pass" ? picture.data.map((value, i) => (i % 4 === 3 ? 1 : value * 4)) : picture.data;
+			response.writeHead(200, { "Content-Type": "application/octet-stream", "X-Drydock-Width": width, "X-Drydock-Height": height, "X-Drydock-Channels": "4", "X-Drydock-Type": kind === "final8" ? "uint8" : "float" });
 			response.end(Buffer.from(data.buffer, data.byteOffset, data.byteLength));
 		} else if (path === "text" || path === "session") {
 			response.writeHead(200, { "Content-Type": "text/plain" }).end(url.searchParams.get("as") === "config" ? "// of the mock\n" + JSON.stringify(config) : `${path} ${url.searchParams.get("as") ?? ""}\n`);

@@ -54,9 +54,12 @@ function makeField(options: ControlOptions, label: string, css: string, read: (t
 	const input = el<HTMLInputElement>("input", {
 		type: "text", class: css, "aria-label": label, spellcheck: "false", autocomplete: "off", inputmode: css === "number-box" ? "decimal" : undefined,
 		onchange: () => {
+			options.refuse("");
 			const fault = read(input.value);
 			input.setAttribute("aria-invalid", String(!!fault));
-			options.refuse(fault ?? "");
+			if (fault) {
+				options.refuse(fault);
+			}
 			last = fault === null ? input.value : last;
 		},
 		onkeydown: (event: KeyboardEvent) => {

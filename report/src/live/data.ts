@@ -11,6 +11,8 @@ export interface Message {
 	code: string;
 	message: string;
 	where: string;
+	file?: string;
+	line?: number;
 }
 
 export interface LiveSetting {
@@ -90,7 +92,7 @@ export interface State {
 	dots: Dot[];
 	files: string[];
 	frame: Frame | null;
-	fault: Message[] | null;
+	fault: { messages: Message[] } | null;
 }
 
 /** A key of a JSON pointer. */
@@ -101,4 +103,8 @@ export function escapeKey(key: string): string {
 /** Where a setting stands in the config: of a volume, or with -1 of the camera. */
 export function pointTo(volume: number, setting: string): string {
 	return `${volume < 0 ? "/camera" : `/volumes/${volume}`}/Settings/${escapeKey(setting)}`;
+}
+
+export function joinMessages(messages: Message[]): string {
+	return messages.map((one) => [one.code, one.message].filter(Boolean).join(": ")).join(" ");
 }

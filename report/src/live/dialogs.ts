@@ -30,9 +30,9 @@ export function makeSave(suggest: () => string, saved: (path: string) => void): 
 	};
 	const save = async (over: boolean) => {
 		try {
-			const answer = await post<{ path?: string }>("save", { path: path.value, again: over && asked === path.value });
+			const answer = await post<{ saved: string }>("save", { path: path.value, again: over && asked === path.value });
 			dialog.close();
-			saved(answer.path ?? path.value);
+			saved(answer.saved);
 		} catch (refusal) {
 			const exists = (refusal as Refusal).status === 409;
 			ask(exists ? `${path.value} exists already. Save over it?` : (refusal as Refusal).message, exists ? path.value : "");

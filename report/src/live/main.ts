@@ -16,7 +16,8 @@ import { VariablesPanel } from "./variables";
 import { VolumesPanel } from "./volumes";
 
 const restAfter = 250; // ms without a new picture
-const priceAfter = 1200;
+const priceAfter = 2500;
+const followAfter = 120;
 
 class LivePage {
 	private readonly hand = new Hand();
@@ -44,6 +45,7 @@ class LivePage {
 	private report: Report | null = null;
 	private restTimer = 0;
 	private priceTimer = 0;
+	private followTimer = 0;
 	private touched = false; // by this page, since the last measurement
 	private asking = false;
 	private again = false; // is to be asked again
@@ -78,7 +80,7 @@ class LivePage {
 		this.build();
 		this.update(state);
 		this.showFrame();
-		this.showMessages(this.faults, state.fault ?? []);
+		this.showMessages(this.faults, state.fault?.messages ?? []);
 		this.hand.onRevision = () => this.showMessages(this.notice, []);
 		listen({
 			state: (revision) => revision !== this.state.revision && this.later(),
@@ -148,8 +150,8 @@ class LivePage {
 	}
 
 	private showMessages(box: HTMLElement, messages: Message[]): void {
-		box.replaceChildren(...messages.map(({ severity, code, message, where }) => el("p", { class: severity === "error" ? "bad" : severity },
-			where ? el("code", {}, where) : null, where ? " " : null, code ? el("strong", {}, code + " ") : null, message)));
+		box.replaceChildren(...messages.map(({ severity, code, message, where, file, line }) => el("p", { class: severity === "error" ? "bad" : severity },
+			el("code", {}, [file ? file + (line && line > 0 ? `:${line}` : "") : "", where].filter(Boolean).join(" at ")), " ", code ? el("strong", {}, code + " ") : null, message)));
 		this.frames?.panel.stage.classList.toggle("failed", !!this.faults.childElementCount);
 	}
 
@@ -158,8 +160,11 @@ class LivePage {
 		this.hand.finish(frame.revision);
 		this.showMessages(this.faults, []);
 		void this.frames.show(frame.revision);
-		if (this.tabs.shown === "volumes") {
-			void this.refresh();
+		if (this.tabs.shown === "volumes" && !this.followTimer) { // the weights follow, at a pace that leaves the frames room
+			this.followTimer = window.setTimeout(() => {
+				this.followTimer = 0;
+				void this.refresh();
+			}, followAfter);
 		}
 	}
 
@@ -246,7 +251,7 @@ class LivePage {
 				void this.frames.show(state.frame.revision);
 			}
 		}
-		this.showMessages(this.faults, state.fault ?? []);
+		this.showMessages(this.faults, state.fault?.messages ?? []);
 	}
 
 	private async compare(id: string): Promise<void> {
@@ -294,12 +299,14 @@ class LivePage {
 		if (this.probeText.hidden) {
 			return;
 		}
-		const pass = /^pass-(\d+)-/.exec(this.frames.panel.selectedA)?.[1];
-		const place = `x=${x}&y=${y}` + (pass ? `&pass=${pass}` : "");
+		const index = /^pass-(\d+)-/.exec(this.frames.panel.selectedA)?.[1];
+		const passes = this.state.frame?.passes ?? [];
+		const place = `x=${x}&y=${y}`;
 		const trace = place === this.probed;
-		const title = `${trace ? "Trace" : "Probe"} of texel ${x}, ${y}`;
+		const pass = passes.find((one) => one.index === Number(index)) ?? (trace ? passes.at(-1) : undefined);
+		const title = `${trace ? "Trace" : "Probe"} of texel ${x}, ${y}` + (pass ? ` of ${pass.name}` : "");
 		this.probeText.replaceChildren(el("h3", {}, title), el("p", { class: "quiet" }, "…"));
-		const text = await getText((trace ? "trace?" : "probe?") + place).then((answer) => {
+		const text = await getText((trace ? "trace?" : "probe?") + place + (pass ? `&pass=${encodeURIComponent(pass.name)}` : "")).then((answer) => {
 			try {
 				const parsed = JSON.parse(answer) as { text?: string };
 				return parsed.text ?? JSON.stringify(parsed, null, 1);
@@ -330,7 +337,7 @@ async function start(): Promise<void> {
 			return;
 		} catch (refusal) {
 			const { status, message } = refusal as Refusal;
-			waiting.textContent = status === 403 ? "This address lacks its token: open the address that drydock live printed." : message + ". The page tries again.";
+			waiting.textContent = message + ". The page tries again.";
 			if (status === 403 || status === undefined) {
 				throw refusal;
 			}

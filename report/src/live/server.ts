@@ -9,22 +9,13 @@ export class Refusal extends Error {
 	}
 }
 
-/** Taken from the address, from which it then goes away; a reload finds it again. */
-function takeToken(): string {
-	const given = new URLSearchParams(location.search).get("token");
-	if (given) {
-		sessionStorage.setItem("token", given);
-		history.replaceState(null, "", location.pathname);
-	}
-	return given ?? sessionStorage.getItem("token") ?? "";
-}
-
-const token = takeToken();
+/** It stays in the address, so that a reload has it; the page has no links that could carry it elsewhere. */
+const token = new URLSearchParams(location.search).get("token") ?? "";
 
 async function send(path: string, method: string, body?: unknown): Promise<Response> {
 	let answer: Response;
 	try {
-		answer = await fetch("/api/" + path, { method, cache: "no-store", headers: { "X-Drydock-Token": token }, body: body === undefined ? undefined : JSON.stringify(body) });
+		answer = await fetch("/api/" + path, { method, cache: "no-store", headers: { "X-Drydock-Token": token, "Content-Type": "application/json" }, body: body === undefined ? undefined : JSON.stringify(body) });
 	} catch {
 		throw new Refusal(0, [{ severity: "error", code: "", message: "drydock live does not answer", where: "" }]);
 	}

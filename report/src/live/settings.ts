@@ -4,7 +4,7 @@ import { el } from "../dom";
 import { count, value as show } from "../format";
 import { story } from "../sections/settings";
 import { Control, makeControl } from "./control";
-import { Edit, Json, LiveSetting, Message, State, pointTo } from "./data";
+import { Edit, Json, LiveSetting, Message, State, joinMessages, pointTo } from "./data";
 import { get, getText, post } from "./server";
 
 export type SendEdits = (edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at?: number) => void;
@@ -138,7 +138,7 @@ export class SettingsPanel {
 		};
 		const send = (edit: (pointer: string) => Edit, drag?: string, at?: number) => {
 			refuse("");
-			this.sendEdits([edit(pointTo(this.volume, name))], (messages) => refuse(messages.map((one) => [one.code, one.message].filter(Boolean).join(": ")).join(" ")), drag, at);
+			this.sendEdits([edit(pointTo(this.volume, name))], (messages) => refuse(joinMessages(messages)), drag, at);
 		};
 		const control = makeControl({
 			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse,
@@ -153,7 +153,7 @@ export class SettingsPanel {
 			blended.setAttribute("aria-expanded", String(open));
 			why.hidden = !open;
 			if (open) {
-				const entries = await get<LedgerEntry[]>("ledger?setting=" + encodeURIComponent(name)).catch((refusal: Error) => refusal.message);
+				const entries = await get<{ ledger: Record<string, LedgerEntry[]> }>("ledger?setting=" + encodeURIComponent(name)).then(({ ledger }) => ledger[name] ?? [], (refusal: Error) => refusal.message);
 				why.replaceChildren(typeof entries === "string" ? entries : entries.length ? story(entries) : "Nothing sets it: it has its default.");
 			}
 		} });

@@ -2,7 +2,7 @@
 import { el } from "../dom";
 import { count } from "../format";
 import { Control, makeControl } from "./control";
-import { State, Variable, escapeKey } from "./data";
+import { State, Variable, escapeKey, joinMessages } from "./data";
 import { SendEdits } from "./settings";
 
 export class VariablesPanel {
@@ -66,12 +66,12 @@ export class VariablesPanel {
 					return;
 				}
 				refuse("");
-				this.sendEdits([{ set: pointer, value: numeric && key === "cvars" ? Number(now) : now }], (messages) => refuse(messages.map((one) => one.message).join(" ")));
+				this.sendEdits([{ set: pointer, value: numeric && key === "cvars" ? Number(now) : now }], (messages) => refuse(joinMessages(messages)));
 			},
 		});
 		const note = el("span", { class: "quiet note-default" });
 		const reset = el("button", { type: "button", class: "small", "aria-label": `Reset ${first.name}`, "data-tip": "Not set by the config", onclick: () =>
-			this.sendEdits([{ remove: pointer }], (messages) => refuse(messages.map((one) => one.message).join(" "))) }, "↺");
+			this.sendEdits([{ remove: pointer }], (messages) => refuse(joinMessages(messages))) }, "↺");
 		const element = el("div", { class: "setting", "data-variable": first.name },
 			el("div", { class: "setting-head" }, el("label", { for: id, "data-tip": first.doc }, first.name), note, reset), control.element, fault);
 		return {

@@ -2,7 +2,7 @@
 import { el } from "../dom";
 import { number, percent } from "../format";
 import { Control, makeControl, startDrag } from "./control";
-import { Json, LiveVolume, Message, State } from "./data";
+import { Json, LiveVolume, Message, State, joinMessages } from "./data";
 import { SendEdits } from "./settings";
 
 type Point = [number, number];
@@ -11,11 +11,11 @@ const colors = 10; // classes c0 to c9
 
 /** The outline of a volume seen from above, cm; round corners where it is round. */
 function outline(bounds: { [key: string]: any }): { points: Point[] } | { center: Point; radius: number } {
-	const { min, max, center, extent, radius, points, rotation } = bounds;
-	if (radius !== undefined && center) {
+	const { type, min, max, center, extent, radius, points, rotation } = bounds;
+	if (type === "sphere" || type === "capsule") {
 		return { center: [center[0], center[1]], radius: Number(radius) };
 	}
-	if (points) {
+	if (type === "convex") {
 		const list = (points as number[][]).map(([x, y]): Point => [x, y]);
 		const middle = [0, 1].map((axis) => list.reduce((sum, point) => sum + point[axis], 0) / list.length);
 		const angle = ([x, y]: Point) => Math.atan2(y - middle[1], x - middle[0]);
@@ -186,7 +186,7 @@ export class VolumesPanel {
 
 	private send(set: string, value: Json, drag?: string, at?: number): void {
 		this.refuse("");
-		this.sendEdits([{ set, value }], (messages: Message[]) => this.refuse(messages.map((one) => one.message).join(" ")), drag, at);
+		this.sendEdits([{ set, value }], (messages: Message[]) => this.refuse(joinMessages(messages)), drag, at);
 	}
 
 	private makeCard(first: LiveVolume, index: number): Card {
@@ -215,7 +215,7 @@ export class VolumesPanel {
 				Object.entries(values).forEach(([key, value]) => parts[key as keyof typeof parts].control.show(value));
 				acts.textContent = volume.weight ? "acts " + percent(volume.weight) : "does not act";
 				acts.style.setProperty("--share", String(volume.weight));
-				why.textContent = volume.skipped ?? (volume.unbound ? "everywhere" : volume.distance === null ? "" : volume.distance === 0 ? "the camera is inside" : `${number(Number(volume.distance.toPrecision(4)))} cm away`);
+				why.textContent = volume.skipped || (volume.unbound ? "everywhere" : volume.distance === null ? "" : volume.distance === 0 ? "the camera is inside" : `${number(Number(volume.distance.toPrecision(4)))} cm away`);
 			},
 		};
 	}
