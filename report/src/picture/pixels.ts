@@ -103,16 +103,16 @@ async function fromPng(picture: PictureData): Promise<Pixels> {
 	return { width, height, channels, data, display: picture.encoding === "display", precision: "8 bit" };
 }
 
-const loaded = new Map<string, Promise<Pixels>>();
+const loaded = new WeakMap<PictureData, Promise<Pixels>>();
 
 export function loadPixels(picture: PictureData): Promise<Pixels> {
 	if (picture.load) {
 		return picture.load();
 	}
-	let pixels = loaded.get(picture.id);
+	let pixels = loaded.get(picture);
 	if (!pixels) {
 		pixels = picture.values ? Promise.resolve(fromValues(picture)) : fromPng(picture);
-		loaded.set(picture.id, pixels);
+		loaded.set(picture, pixels);
 	}
 	return pixels;
 }
