@@ -1,5 +1,5 @@
-// Bundles src/ into page.html: styles, script and a place for the data, one file. `npm run build`; with --check it only
-// says whether page.html is what the sources give.
+// Bundles src/ into page.html: styles, script and a place for the data, one file; and src/live/ into live.html, the page
+// of `drydock live`. `npm run build`; with --check it only says whether the files are what the sources give.
 import { build } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -10,9 +10,9 @@ const read = (path) => readFileSync(join(folder, path), "utf8");
 
 const does = { "@dagrejs/dagre": "layout of the graph", "@dagrejs/graphlib": "graphs, for dagre", fflate: "inflates values" };
 
-async function bundle(parts) {
+async function bundle(entry, parts) {
 	const result = await build({
-		absWorkingDir: folder, entryPoints: ["src/main.ts"], bundle: true, minify: true, write: false, metafile: true,
+		absWorkingDir: folder, entryPoints: [entry], bundle: true, minify: true, write: false, metafile: true,
 		format: "iife", target: "es2022", charset: "utf8", legalComments: "none",
 		define: { PARTS: JSON.stringify(parts) }, outfile: "page.js",
 	});
@@ -33,25 +33,32 @@ function weigh(inputs) {
 	}).sort((a, b) => b.bytes - a.bytes);
 }
 
-const parts = weigh((await bundle([])).inputs);
-const licenses = parts.filter((part) => does[part.name]).map(({ name, version }) => `${name} ${version}\n${read(`node_modules/${name}/LICENSE`)}`);
-const { script } = await bundle(parts);
-const style = (await build({
-	absWorkingDir: folder, entryPoints: ["src/style.css"],
-	minify: true, write: false, charset: "utf8",
-})).outputFiles[0].text;
+async function makePage(entry, styles) {
+	const parts = weigh((await bundle(entry, [])).inputs);
+	const licenses = parts.filter((part) => does[part.name]).map(({ name, version }) => `${name} ${version}\n${read(`node_modules/${name}/LICENSE`)}`);
+	const { script } = await bundle(entry, parts);
+	const style = (await build({
+		stdin: { contents: styles.map((path) => `@import "./${path}";`).join(""), resolveDir: folder, loader: "css" },
+		bundle: true, minify: true, write: false, charset: "utf8",
+	})).outputFiles[0].text;
+	const page = read("src/page.html")
+		.replace("/* LICENSES */", () => "\n" + licenses.join("\n\n").replaceAll("--", "- -") + "\n")
+		.replace("/* STYLE */", () => style)
+		.replace("/* SCRIPT */", () => script.replaceAll("</script", "<\\/script"));
+	return { page, parts };
+}
 
-const page = read("src/page.html")
-	.replace("/* LICENSES */", () => "\n" + licenses.join("\n\n").replaceAll("--", "- -") + "\n")
-	.replace("/* STYLE */", () => style)
-	.replace("/* SCRIPT */", () => script.replaceAll("</script", "<\\/script"));
+const live = await makePage("src/live/main.ts", ["src/style.css", "src/live/live.css"]);
+live.page = live.page.replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline'; connect-src 'self'")
+	.replace("; its data are in the element #data", "").replace(/<script type="application\/json".*\n/, "");
+const pages = { "page.html": await makePage("src/main.ts", ["src/style.css"]), "live.html": live };
 
-if (process.argv.includes("--check")) {
-	if (page !== read("page.html")) {
-		console.error("report/page.html is not what report/src gives: npm run build in report/");
-		process.exit(1);
+for (const [name, { page, parts }] of Object.entries(pages)) {
+	if (!process.argv.includes("--check")) {
+		writeFileSync(join(folder, name), page);
+		console.log(`${name}: ${page.length} characters; ` + parts.map((part) => `${part.name} ${part.bytes}`).join(", "));
+	} else if (page !== read(name)) {
+		console.error(`report/${name} is not what report/src gives: npm run build in report/`);
+		process.exitCode = 1;
 	}
-} else {
-	writeFileSync(join(folder, "page.html"), page);
-	console.log(`page.html: ${page.length} characters; ` + parts.map((part) => `${part.name} ${part.bytes}`).join(", "));
 }

@@ -122,20 +122,24 @@ std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisp
 	return Shown;
 }
 
+void MakeDisplayRow(
+	const float* Row, int Width, int NumChannels, EDisplayOutputFormat OutputDevice, uint8_t* Bytes, int Step)
+{
+	for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
+	{
+		std::ranges::transform(
+			MakeDisplayColor({double(Row[0]), double(Row[1]), double(Row[2])}, OutputDevice), Bytes, ToByte);
+	}
+}
+
 void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayOutputFormat OutputDevice)
 {
-	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
-	std::vector<float> Row(static_cast<size_t>(Picture.Width) * NumChannels);
+	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
 	WritePngRows(Path, Picture.Width, Picture.Height, 3, EPngEffort::Quick,
 		[&](int Y, uint8_t* Bytes)
 		{
 			Picture.ReadRow(Y, Row.data());
-			for (size_t Pixel = 0; Pixel < Row.size(); Pixel += NumChannels)
-			{
-				const FColor Shown = MakeDisplayColor(
-					{double(Row[Pixel]), double(Row[Pixel + 1]), double(Row[Pixel + 2])}, OutputDevice);
-				Bytes = std::ranges::transform(Shown, Bytes, ToByte).out;
-			}
+			MakeDisplayRow(Row.data(), Picture.Width, Picture.NumChannels, OutputDevice, Bytes, 3);
 		});
 }
 

@@ -15,6 +15,11 @@ namespace Drydock
 DRYDOCK_API std::array<double, 3> MakeDisplayColor(
 	const std::array<double, 3>& Color, EDisplayOutputFormat OutputDevice);
 
+/** A row of a final picture in 8 bits for an sRGB display: red, green and blue to every Step bytes from Bytes on. Row:
+ * Width colours, NumChannels numbers each. */
+DRYDOCK_API void MakeDisplayRow(
+	const float* Row, int Width, int NumChannels, EDisplayOutputFormat OutputDevice, uint8_t* Bytes, int Step);
+
 /** Red, green and blue of a final picture for an sRGB display. Throws FError (exit code 3) when it cannot be written.
  */
 DRYDOCK_API void WriteDisplayPng(const std::string& Path, const FPicture& Picture, EDisplayOutputFormat OutputDevice);

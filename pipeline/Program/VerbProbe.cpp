@@ -1,11 +1,9 @@
 // `drydock probe`: a pixel's value through all passes of a run.
-#include "Inspect/ProbeCapture.h"
+#include "Inspect/ProbeRun.h"
 #include "Program/NumberList.h"
 #include "Program/ProgramOutput.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
-#include "Run/Run.h"
-#include "Text/ConfigErrors.h"
 
 #include <memory>
 
@@ -45,31 +43,11 @@ FRunOptions MakeAgainst(const FProbeVerbOptions& Options)
 	return Other;
 }
 
-/** Sets the request's frame. */
-std::vector<FProbePass> ProbeRun(const FRunOptions& Run, FProbeRequest& Request)
+std::vector<FProbePass> ProbeAndTell(const FRunOptions& Run, FProbeRequest& Request)
 {
-	FRunOptions Plan = Run;
-	Plan.bExecute = false;
-	const FIntRect View = RunConfig(Plan).ViewRect;
-	Request.Frame = {View.Width(), View.Height()};
-	const bool bInside = Request.X >= 0 && Request.Y >= 0 && Request.Width >= 1 && Request.Height >= 1 &&
-						 int64_t(Request.X) + Request.Width <= View.Width() &&
-						 int64_t(Request.Y) + Request.Height <= View.Height();
-	if (!bInside)
-	{
-		throw BadArgument(std::to_string(Request.X) + "," + std::to_string(Request.Y) +
-							  " with its region leaves the frame, which is " + std::to_string(View.Width()) + " x " +
-							  std::to_string(View.Height()),
-			"X,Y");
-	}
-	FProbeCapture Capture(Request);
-	const FScopedDispatchObserver Scope(Capture);
-	PrintDiagnostics(RunConfig(Run).Diagnostics);
-	if (Capture.GetPasses().empty())
-	{
-		throw BadArgument("no pass of this run that a shader draws matches '" + Request.Passes + "'", "--pass");
-	}
-	return Capture.GetPasses();
+	FProbedRun Probed = ProbeRun(Run, Request);
+	PrintDiagnostics(Probed.Diagnostics);
+	return std::move(Probed.Passes);
 }
 
 int Probe(FProbeVerbOptions Options)
@@ -78,10 +56,10 @@ int Probe(FProbeVerbOptions Options)
 	Options.Request.Y = Options.Pixel.at(1);
 	Options.Request.Width = Options.Region.empty() ? 1 : Options.Region.at(0);
 	Options.Request.Height = Options.Region.empty() ? 1 : Options.Region.at(1);
-	const std::vector<FProbePass> Passes = ProbeRun(Options.Run, Options.Request);
+	const std::vector<FProbePass> Passes = ProbeAndTell(Options.Run, Options.Request);
 	FProbeRequest Other = Options.Request; // its frame may be of another size
 	const std::vector<FProbePass> Against =
-		Options.Against.empty() ? std::vector<FProbePass>() : ProbeRun(MakeAgainst(Options), Other);
+		Options.Against.empty() ? std::vector<FProbePass>() : ProbeAndTell(MakeAgainst(Options), Other);
 	const std::string Text = Options.bJson ? MakeProbeJson(Passes, Against, Options.Request)
 										   : MakeProbeText(Passes, Against, Options.Request);
 	PrintResult(Text, Options.bJson);

@@ -1,9 +1,7 @@
 // `drydock run`: runs a frame, or the frames of a sequence, and writes pictures and reports.
 #include "Config/ReadConfig.h"
 #include "DispatchReuse.h"
-#include "Extensions/Plugins.h"
 #include "Inspect/FirstCause.h"
-#include "Overlay/OverlayFolder.h"
 #include "PrintText.h"
 #include "Program/FindingsOption.h"
 #include "Program/InspectOptions.h"
@@ -20,12 +18,12 @@
 #include "Run/PassesCsv.h"
 #include "Run/Run.h"
 #include "Run/RunAgain.h"
+#include "Run/RunFiles.h"
 #include "Run/RunOutputs.h"
 #include "Run/ShaderWarnings.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/ConfigErrors.h"
 #include "Text/TextFile.h"
-#include "Text/WatchedFiles.h"
 
 #include <chrono>
 #include <ctime>
@@ -163,69 +161,6 @@ int RunOnce(const FRunVerbOptions& Options)
 	return ExitDone;
 }
 
-/** A library, and the ini files of the plugin, which are known once it is loaded. */
-void AddPlugin(const std::string& Path, FWatchedFiles& Files)
-{
-	Files.AddFile(Path);
-	for (const std::string& IniFile : FindPluginIniFiles(Path))
-	{
-		Files.AddFile(IniFile);
-	}
-}
-
-/** The files of an overlay that are read. */
-void AddOverlay(const std::string& Path, FWatchedFiles& Files)
-{
-	std::vector<FDiagnostic> Ignored;
-	const FOverlayFolder Overlay = ReadOverlayFolder(Path, Ignored);
-	for (const std::string& File : Overlay.Read)
-	{
-		Files.AddFile(File);
-	}
-	for (const std::string& Shader : Overlay.Shaders)
-	{
-		Files.AddFile(Overlay.GetShaderFile(Shader));
-	}
-}
-
-/** The files that a run reads: the config, its scene, its plugins, and every shader file. */
-FWatchedFiles GetWatchedFiles(const FRunVerbOptions& Options)
-{
-	FWatchedFiles Files;
-	Files.AddFile(Options.Run.ConfigFile);
-	Files.AddShaders();
-	try
-	{
-		std::vector<FDiagnostic> Ignored;
-		const FConfig Config = LoadConfig(Options.Run.ConfigFile, Ignored);
-		if (Config.Scene.File.IsSet())
-		{
-			Files.AddFile(Config.Resolve(Config.Scene.File.Value));
-		}
-		for (const TConfigValue<std::string>& Plugin : Config.Plugins)
-		{
-			AddPlugin(Config.Resolve(Plugin.Value), Files);
-		}
-		for (const std::string& Plugin : Options.Run.Plugins)
-		{
-			AddPlugin(Plugin, Files);
-		}
-		for (const FConfigOverlay& Overlay : Config.Overlays)
-		{
-			AddOverlay(Config.Resolve(Overlay.Folder.Value), Files);
-		}
-		for (const std::string& Overlay : Options.Run.Overlays)
-		{
-			AddOverlay(Overlay, Files);
-		}
-	}
-	catch (const FError&)
-	{
-		// The config itself is watched: it may come back.
-	}
-	return Files;
-}
-
 /** Until somebody ends the program. */
 int Watch(const FRunVerbOptions& Options)
 {
@@ -240,7 +175,7 @@ int Watch(const FRunVerbOptions& Options)
 					  RunOnce(Looked);
 					  FlushOutput();
 				  },
-		.List = [&] { return GetWatchedFiles(Options); },
+		.List = [&] { return FindRunFiles(Options.Run); },
 		.Wait =
 			[&]
 		{

@@ -3,6 +3,7 @@
 // an EVerbGroup, the function that adds the options, and one line of --help, of 66 characters at most.
 // clang-format off
 DRYDOCK_VERB("run", Run, AddRunOptions, "Run the frame of a config and write its pictures and reports")
+DRYDOCK_VERB("live", Run, AddLiveOptions, "Show a frame in the browser and change it under the hand")
 DRYDOCK_VERB("check", Run, AddCheckOptions, "Validate a config, compile its frame and shaders; draw nothing")
 DRYDOCK_VERB("blend", Ask, AddBlendOptions, "Print the blended settings at a location and the origin of each")
 DRYDOCK_VERB("graph", Ask, AddGraphOptions, "Print the compiled graph of a config without running it")

@@ -4,11 +4,9 @@
 #include "PrintText.h"
 #include "Program/ProgramFailure.h"
 #include "Program/ProgramOutput.h"
-#include "ShaderCompilation.h"
+#include "Run/RunFiles.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <utility>
 
 namespace Drydock
@@ -26,24 +24,6 @@ FWatchedFiles ListNow(const FWatchLoop& Loop)
 	catch (...)
 	{
 		return {}; // what is half there now is listed at the next look
-	}
-}
-
-/** All shaders are forgotten, or where nothing but shader files was edited, those that read them. */
-void ForgetEdited(const FWatchedFiles& Before, const FWatchedFiles& After)
-{
-	const std::optional<std::vector<std::string>> Edited = After.FindEdited(Before);
-	const auto IsShader = [](const std::string& Path)
-	{
-		return Path.ends_with(".usf") || Path.ends_with(".ush") || Path.ends_with(".spv");
-	};
-	if (Edited && std::all_of(Edited->begin(), Edited->end(), IsShader))
-	{
-		ForgetShadersOf(*Edited);
-	}
-	else
-	{
-		ForgetShaders();
 	}
 }
 

@@ -48,8 +48,28 @@ public:
 
 	void Write()
 	{
-		const FRunResult& Result = Inputs.Result;
 		Writer.Key("pictures").BeginArray();
+		if (Inputs.bLarge)
+		{
+			WriteLarge();
+		}
+		const size_t NumLeftOut = WriteThumbnails();
+		if (!Inputs.Before.FinalPng.empty())
+		{
+			WriteReportPicture(Writer, {.Id = "previous",
+										   .Role = "previous",
+										   .Label = "Final picture of the run before",
+										   .Channels = {"R", "G", "B"},
+										   .Png = Inputs.Before.FinalPng});
+		}
+		Writer.EndArray();
+		Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
+	}
+
+private:
+	void WriteLarge()
+	{
+		const FRunResult& Result = Inputs.Result;
 		// The page takes codes for those of an sRGB display; of others it has the picture that the PNG makes of them.
 		const bool bSrgb = Result.OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
 						   Result.OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping;
@@ -67,20 +87,8 @@ public:
 		{
 			WriteDump(Dump);
 		}
-		const size_t NumLeftOut = WriteThumbnails();
-		if (!Inputs.Before.FinalPng.empty())
-		{
-			WriteReportPicture(Writer, {.Id = "previous",
-										   .Role = "previous",
-										   .Label = "Final picture of the run before",
-										   .Channels = {"R", "G", "B"},
-										   .Png = Inputs.Before.FinalPng});
-		}
-		Writer.EndArray();
-		Writer.Member("thumbnailsLeftOut", static_cast<uint64_t>(NumLeftOut));
 	}
 
-private:
 	/** Bytes of the run's own file; where there is none, of one made for the purpose. */
 	std::string ReadPng(const std::string& Own, const std::function<void(const std::string& File)>& Make) const
 	{

@@ -36,6 +36,7 @@ struct FReportInputs
 	std::string Folder;                           // where the run's PNG files lie, and where others are made in passing
 	FReportBefore Before;
 	bool bFull = false;                   // the values of all pictures go in
+	bool bLarge = true;                   // false: of the pictures the thumbnails alone
 	size_t MaxThumbnailBytes = 2'000'000; // as PNG, together
 };
 

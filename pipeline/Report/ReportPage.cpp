@@ -17,13 +17,13 @@ namespace
 /** Stands in the template once, where the data goes. */
 const std::string Placeholder = "\"drydock-report-data\"";
 
-std::string FindTemplate()
-{
-	const std::string Installed = FindInstalled("share/drydock/report/page.html");
-	return Installed.empty() ? DRYDOCK_SOURCE_DIR "/report/page.html" : Installed;
-}
-
 } // namespace
+
+std::string FindPageFile(const std::string& Name)
+{
+	const std::string Installed = FindInstalled("share/drydock/report/" + Name);
+	return Installed.empty() ? DRYDOCK_SOURCE_DIR "/report/" + Name : Installed;
+}
 
 std::string EscapeForScript(const std::string& Json)
 {
@@ -49,7 +49,7 @@ std::string MakeReportPage(const std::string& OwnData, size_t MaxPlainBytes)
 {
 	const std::string Data = MakePathsPortable(OwnData);
 	const std::string Packed = Data.size() > MaxPlainBytes ? EncodeBase64(Deflate(Data)) : Data;
-	const std::string File = FindTemplate();
+	const std::string File = FindPageFile("page.html");
 	std::string Page = ReadTextFile(File, "drydock's own file cannot be opened: is drydock installed completely?");
 	const size_t At = Page.find(Placeholder);
 	if (At == std::string::npos)

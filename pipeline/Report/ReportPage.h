@@ -10,6 +10,9 @@
 namespace Drydock
 {
 
+/** A page that report/ makes, "page.html", installed or in the source tree. */
+std::string FindPageFile(const std::string& Name);
+
 /** JSON that may stand in a script element: no "<" is left in it, so that nothing closes the element or opens a
  * comment. The data are the same. */
 DRYDOCK_API std::string EscapeForScript(const std::string& Json);

@@ -9,6 +9,7 @@
 #include "Run/Explain.h"
 #include "Run/RunJson.h"
 #include "Run/RunSetup.h"
+#include "TemporaryFolder.h"
 #include "Text/TextFile.h"
 
 namespace Drydock
@@ -69,6 +70,25 @@ std::set<std::string> FindTouched(const FBlendReport& Blend, const FRunResult& R
 EReport ParseReport(const std::string& Word)
 {
 	return Word == "off" ? EReport::Off : Word == "full" ? EReport::Full : EReport::On;
+}
+
+std::string MakeRunReportData(const FRunOptions& Options, const FRunResult& Result)
+{
+	const FTemporaryFolder Temporary;
+	const std::filesystem::path Folder = Temporary.Reserve("report");
+	std::filesystem::create_directory(Folder);
+	const FBlendReport Blend = BlendRun(Options, Result);
+	return MakeReportData({.Result = Result,
+		.Name = std::filesystem::path(Options.ConfigFile).stem().string(),
+		.When = "",
+		.TimingJson = MakeTimingJson(Result, 0.0),
+		.ExplainJson = ExplainRun(Options, Result),
+		.BlendJson = MakeBlendJson(Blend, FindChangedSettings(Blend)),
+		.WalkJson = "",
+		.Touched = FindTouched(Blend, Result),
+		.Folder = Folder.string(),
+		.Before = {},
+		.bLarge = false});
 }
 
 void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,

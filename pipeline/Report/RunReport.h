@@ -28,4 +28,8 @@ DRYDOCK_API EReport ParseReport(const std::string& Word);
 DRYDOCK_API void WriteRunReport(const FRunOptions& Options, const FRunResult& Result, EReport Report,
 	const std::filesystem::path& Folder, const std::filesystem::path& Aside, double SaveMs);
 
+/** The data of the same page without large pictures, as report/report.schema.json has it. Result: of Options with
+ * bKeepForReport. Throws FError. */
+DRYDOCK_API std::string MakeRunReportData(const FRunOptions& Options, const FRunResult& Result);
+
 } // namespace Drydock

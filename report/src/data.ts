@@ -3,6 +3,7 @@ import { unzlibSync } from "fflate";
 import { Chart } from "./chart";
 import { DiffReport } from "./diff/data";
 import { MatrixReport } from "./matrix/data";
+import { Pixels } from "./picture/pixels";
 import { SequenceReport } from "./sequence/data";
 import { StudyReport } from "./study/data";
 
@@ -176,7 +177,7 @@ export interface PassDetail {
 
 export interface PictureData {
 	id: string;
-	role: "final" | "scene" | "dump" | "thumbnail" | "previous" | "a" | "b" | "error" | "frame" | "version";
+	role: "final" | "scene" | "dump" | "thumbnail" | "previous" | "a" | "b" | "error" | "frame" | "version" | "state";
 	label: string;
 	pass: number;
 	resource: string;
@@ -195,6 +196,7 @@ export interface PictureData {
 	};
 	png: string;
 	values?: { type: "half" | "float"; zlib: string };
+	load?: () => Promise<Pixels>; // where a server has the picture; png is then empty
 }
 
 /** The settings along a camera's path. */

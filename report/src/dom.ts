@@ -59,6 +59,19 @@ export function table<T>(columns: Column<T>[], rows: T[], attributes: (row: T) =
 			columns.map((column) => el("td", { ...css(column), "data-title": column.title }, ...[column.cell(row)].flat())))))));
 }
 
+function isDark(): boolean {
+	const chosen = document.documentElement.dataset.theme;
+	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+/** The button for light or dark. */
+export function makeTheme(after: () => void): HTMLElement {
+	return el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
+		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+		after();
+	} }, "Light / dark");
+}
+
 export function installTips(): void {
 	const tip = el("div", { id: "tip", role: "tooltip" });
 	document.body.append(tip);

@@ -2,13 +2,13 @@
 import { AnyReport, Report, readReport } from "./data";
 import { DiffReport } from "./diff/data";
 import { DiffPage } from "./diff/page";
-import { el, installTips } from "./dom";
+import { el, installTips, makeTheme } from "./dom";
 import { time } from "./format";
 import { GraphPanel } from "./graph/panel";
 import { MatrixReport } from "./matrix/data";
 import { MatrixPage, nameConfig } from "./matrix/page";
 import { PicturePanel, beside } from "./picture/panel";
-import { makeAbout, makeKeys } from "./sections/about";
+import { listenKeys, makeAbout, makeKeys } from "./sections/about";
 import { makeAnswers } from "./sections/answers";
 import { makeEffects } from "./sections/effects";
 import { makeMessages } from "./sections/messages";
@@ -18,11 +18,6 @@ import { SequenceReport } from "./sequence/data";
 import { SequencePage } from "./sequence/page";
 import { StudyReport } from "./study/data";
 import { StudyPanel } from "./study/page";
-
-function isDark(): boolean {
-	const chosen = document.documentElement.dataset.theme;
-	return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-}
 
 /** The contents of a kind of page: what it is, its sections, the line under that, and its own keys. */
 interface Contents {
@@ -116,10 +111,7 @@ function main(): void {
 	const contents = makeContents(report);
 	const keys = makeKeys();
 	const about = makeAbout(getVersion(report), report.written, document.documentElement.outerHTML.length);
-	const theme = el("button", { type: "button", id: "theme", "data-tip": "Light or dark (key T)", onclick: () => {
-		document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-		void contents.picture?.choose(contents.picture.selectedA, contents.picture.selectedB);
-	} }, "Light / dark");
+	const theme = makeTheme(() => void contents.picture?.choose(contents.picture.selectedA, contents.picture.selectedB));
 
 	document.body.append(
 		el("header", { class: "top" },
@@ -134,21 +126,7 @@ function main(): void {
 		keys, about);
 	installTips();
 
-	addEventListener("keydown", (event) => {
-		const typing = (event.target instanceof HTMLInputElement && event.target.type !== "range") || event.target instanceof HTMLSelectElement;
-		if (event.defaultPrevented || typing || event.ctrlKey || event.metaKey || event.altKey) {
-			return;
-		}
-		const actions: Record<string, () => void> = { ...contents.keys, t: () => theme.click(), "?": () => keys.showModal() };
-		if (actions[event.key]) {
-			if (event.key !== "Escape") { // which also closes a dialog
-				event.preventDefault();
-			}
-			actions[event.key]();
-		} else if (contents.picture?.press(event.key, event.shiftKey)) {
-			event.preventDefault();
-		}
-	});
+	listenKeys({ ...contents.keys, t: () => theme.click(), "?": () => keys.showModal() }, contents.picture);
 	document.documentElement.dataset.ready = "true";
 }
 

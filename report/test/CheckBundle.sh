@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# report/page.html is what report/src gives, and the sources have no type errors.
+# report/page.html and report/live.html are what report/src gives, and the sources have no type errors.
 #   report/test/CheckBundle.sh SOURCE
 # Exit code 77 where node or its modules are not there.
 set -euo pipefail

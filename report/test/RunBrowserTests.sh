@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The pages in real browsers: lets drydock write one of each kind, then runs the tests beside this script.
+# The pages in real browsers: lets drydock write one of each kind and serve the live one, then runs the tests beside this script.
 #   report/test/RunBrowserTests.sh BUILD SOURCE WORK
 # Exit code 77 where node, its modules (npm ci in report/), oiiotool or Chromium are not there.
 set -euo pipefail
@@ -24,7 +24,7 @@ Pair=("$Work/strong" "$Work/weak")
 "$Drydock" run "$Source/configs/volumes_walk.json" --frames all --out "$Work/walk" --report >/dev/null
 "$Drydock" run "$Source/configs/volumes_walk.json" --frame 4 --out "$Work/walk4" --report >/dev/null
 "$Drydock" matrix "$Source/tests/plugins/ShowUV" --versions 5.4-5.5 --out "$Work/matrix" --report >/dev/null
-export CHROMIUM REPORT_RUNS=$Work
+export CHROMIUM REPORT_RUNS=$Work DRYDOCK=$Drydock SOURCE=$Source
 cd "$Source/report"
 coproc Server { exec node test/serve.mjs; }
 trap 'kill "$Server_PID"' EXIT

@@ -1,5 +1,5 @@
 // Firefox without a window, spoken to by its own remote protocol (Marionette), so that the system's Firefox does.
-import { spawn } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
@@ -7,6 +7,18 @@ import { join } from "node:path";
 import { setTimeout as sleep } from "node:timers/promises";
 
 const seconds = 60; // until it listens
+
+/** The program; empty where there is none. */
+export function findFirefox() {
+	for (const name of ["firefox-esr", "firefox"]) {
+		try {
+			return execFileSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" }).trim();
+		} catch {
+			// the next
+		}
+	}
+	return "";
+}
 
 /** A free port of this machine. */
 function findPort() {

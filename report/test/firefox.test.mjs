@@ -1,24 +1,12 @@
 // Every kind of page opens from disk in Firefox, draws its picture or chart, answers to a key, and fits a desk and a phone.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { withFirefox } from "./firefox.mjs";
+import { findFirefox, withFirefox } from "./firefox.mjs";
 import { axeSource, findSideways, runs } from "./harness.mjs";
-
-function findFirefox() {
-	for (const name of ["firefox-esr", "firefox"]) {
-		try {
-			return execFileSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" }).trim();
-		} catch {
-			// the next
-		}
-	}
-	return "";
-}
 
 const program = findFirefox();
 const pages = { run: "plain/report.html", study: "study/study.html", diff: "diff/diff.html", sequence: "walk/sequence.html", matrix: "matrix/matrix.html" };

@@ -24,16 +24,18 @@ export async function stopBrowser() {
 	await browser.close();
 }
 
-/** Opens a file, calls the test, and fails where the page wrote to the console, threw, or asked for anything else. */
-export async function onPage(file, test, options = {}) {
+/** Opens a file, or the page of a server, calls the test, and fails where the page wrote to the console, threw, or asked
+ * for anything else. Options: of the browser's window; allow: a pattern of what it may write. */
+export async function onPage(file, test, { allow, ...options } = {}) {
 	const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", reducedMotion: "reduce", ...options });
 	const page = await context.newPage();
 	const faults = [];
-	const url = "file://" + file;
-	page.on("console", (message) => faults.push("console: " + message.text()));
+	const url = file.startsWith("http") ? file : "file://" + file;
+	const isOwn = (address) => (url === file ? address.startsWith(new URL(url).origin + "/") : address === url) || /^(data|blob):/.test(address);
+	page.on("console", (message) => allow?.test(message.text()) || faults.push("console: " + message.text()));
 	page.on("pageerror", (error) => faults.push("thrown: " + error.message));
 	page.on("request", (request) => {
-		if (request.url() !== url && !request.url().startsWith("data:")) {
+		if (!isOwn(request.url())) {
 			faults.push("request: " + request.url());
 		}
 	});

@@ -10,7 +10,9 @@ import { GraphFacts, describeCounts, gatherFacts } from "./why";
 
 export class GraphPanel {
 	readonly element: HTMLElement;
-	private readonly facts: GraphFacts;
+	private facts: GraphFacts;
+	private heap: HTMLElement;
+	private readonly note: Element;
 	private readonly view = el("div", { class: "graph-view", id: "graph-view" });
 	private readonly side = el("aside", { class: "graph-side" });
 	private readonly search: HTMLInputElement;
@@ -20,8 +22,10 @@ export class GraphPanel {
 	private resource = -1; // where a texture is shown: its
 	private flow = false;
 
-	constructor(private readonly report: Report, private readonly showPicture: (id: string) => void) {
+	/** Fetch: shows a texture as it was after a pass, where a server has it. */
+	constructor(private report: Report, private readonly showPicture: (id: string) => void, private readonly fetch?: (pass: number, resource: string) => void) {
 		this.facts = gatherFacts(report);
+		this.heap = drawHeap(report, this.facts);
 		this.search = el<HTMLInputElement>("input", { type: "search", id: "search", placeholder: "Pass, resource, shader  ( / )", "aria-label": "Search the graph", oninput: () => this.mark() });
 		this.search.addEventListener("keydown", (event) => {
 			if (event.key === "Enter") {
@@ -42,9 +46,28 @@ export class GraphPanel {
 				this.search, this.found,
 				el("span", { class: "legend right" }, el("i", { class: "key read" }), "reads", el("i", { class: "key unread" }), "declares and does not read", el("i", { class: "key write" }), "writes", el("i", { class: "key culled" }), "culled", el("i", { class: "key bracket" }), "merged")),
 			el("div", { class: "graph" }, this.view, this.side),
-			drawHeap(report, this.facts));
+			this.heap);
+		this.note = this.element.querySelector(".note")!;
 		narrow.addEventListener("change", () => this.draw());
 		this.view.addEventListener("scroll", () => this.view.style.setProperty("--scrolled", this.view.scrollLeft + "px"));
+		this.draw();
+	}
+
+	/** Another frame's graph; the pass that is open stays open where the frame has it. */
+	setReport(report: Report): void {
+		const name = this.facts.byIndex.get(this.selected)?.name;
+		this.report = report;
+		this.facts = gatherFacts(report);
+		this.note.textContent = describeCounts(this.facts);
+		const heap = drawHeap(report, this.facts);
+		this.heap.replaceWith(heap);
+		this.heap = heap;
+		const same = this.facts.passes.find((pass) => pass.name === name)?.index ?? -1;
+		const focus = document.activeElement;
+		if (name !== undefined) {
+			this.select(same, same === this.selected ? this.resource : -1);
+			(focus as HTMLElement | null)?.focus({ preventScroll: true });
+		}
 		this.draw();
 	}
 
@@ -60,6 +83,7 @@ export class GraphPanel {
 		const texture = this.facts.resources.find((one) => one.index === resource);
 		const actions = {
 			showPicture: this.showPicture,
+			fetch: this.fetch,
 			selectPass: (other: number) => this.select(other),
 			selectTexture: (other: number, of: number) => this.select(other, of),
 			close: () => {

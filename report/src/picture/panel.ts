@@ -24,12 +24,13 @@ export interface PictureOptions {
 	title?: string;
 	note?: string;
 	onChoose?: (a: PictureData, b: PictureData | null) => void;
+	strip?: boolean; // of all pictures; there is one by default
 }
 
 /** How the lists of pictures are parted. */
 const groups: [string, PictureData["role"][]][] = [
 	["Frame", ["final", "scene", "previous"]], ["Dumped passes", ["dump"]], ["Thumbnails", ["thumbnail"]], ["A", ["a"]], ["B", ["b"]],
-	["Differences", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]],
+	["Differences", ["error"]], ["Frames", ["frame"]], ["Engine versions", ["version"]], ["States", ["state"]],
 ];
 
 /** Marks that tell pictures of one name apart in the strip. */
@@ -38,9 +39,12 @@ const marks: Partial<Record<PictureData["role"], string>> = { a: "A  ", b: "B  "
 export class PicturePanel {
 	readonly element: HTMLElement;
 	readonly viewer = new Viewer();
+	/** Holds the picture, and what a page puts above and below it. */
+	readonly stage = el("div", { class: "stage" }, this.viewer.canvas);
 	private a: PictureData;
 	private b: PictureData | null;
 	private pixels: Pixels | null = null;
+	private second: Pixels | null = null;
 	private readonly selectA: HTMLSelectElement;
 	private readonly selectB: HTMLSelectElement;
 	private readonly modeButtons = new Map<Mode, HTMLButtonElement>();
@@ -56,12 +60,11 @@ export class PicturePanel {
 	private readonly toggles: Record<"falseColor" | "odd", HTMLButtonElement>;
 	private turn = 0;
 
-	constructor(private readonly pictures: PictureData[], private readonly options: PictureOptions = {}) {
+	constructor(private pictures: PictureData[], private readonly options: PictureOptions = {}) {
 		this.a = this.find(options.a) ?? pictures[0];
 		this.b = this.find(options.b);
 		this.selectA = this.makeSelect("picture-a", (id) => this.choose(id, this.b?.id ?? ""));
 		this.selectB = this.makeSelect("picture-b", (id) => this.choose(this.a.id, id));
-		this.selectB.prepend(el("option", { value: "" }, "none"));
 		this.inputs = {
 			exposure: this.makeRange("exposure", -10, 10, 0.25, 0, (value) => (this.viewer.look.exposure = value)),
 			low: this.makeNumber("low", 0, (value) => (this.viewer.look.low = value)),
@@ -79,7 +82,7 @@ export class PicturePanel {
 		this.element = this.build();
 		this.viewer.onProbe = (probe) => this.showProbe(probe);
 		this.viewer.onChange = () => (this.zoomLabel.textContent = `1 : ${number(Number(this.viewer.getTexel().toPrecision(2)))}`);
-		this.fillStrip();
+		this.fillLists();
 		void this.choose(this.a.id, this.b?.id ?? "").then(() => options.mode && this.setMode(options.mode));
 	}
 
@@ -93,6 +96,23 @@ export class PicturePanel {
 
 	private find(id: string | undefined): PictureData | null {
 		return this.pictures.find((picture) => picture.id === id) ?? null;
+	}
+
+	/** Other pictures to choose from; those that are shown stay where they are still there. */
+	setList(pictures: PictureData[]): void {
+		this.pictures = pictures;
+		this.fillLists();
+		[this.selectA.value, this.selectB.value] = [this.a.id, this.b?.id ?? ""];
+	}
+
+	/** A picture that is shown became another one. Quick: at once, and without what is written about it. */
+	update(id: string, pixels: Pixels, quick: boolean): void {
+		if (this.pixels && (id === this.a.id || id === this.b?.id)) {
+			this.pixels = id === this.a.id ? pixels : this.pixels;
+			this.second = id === this.b?.id ? pixels : this.second;
+			this.viewer.setPictures(this.pixels, this.second);
+			quick ? this.viewer.drawNow() : this.showFacts();
+		}
 	}
 
 	/** Shows a picture as A, and the section. */
@@ -112,7 +132,7 @@ export class PicturePanel {
 		if (turn !== this.turn) {
 			return; // another was chosen meanwhile
 		}
-		this.pixels = first;
+		[this.pixels, this.second] = [first, second];
 		if (!second && this.viewer.mode !== "a") {
 			this.setMode("a");
 		}
@@ -203,14 +223,20 @@ export class PicturePanel {
 
 	private makeSelect(id: string, choose: (id: string) => void): HTMLSelectElement {
 		const select = el<HTMLSelectElement>("select", { id, onchange: () => choose(select.value) });
-		for (const [label, roles] of groups) {
-			const members = this.pictures.filter((picture) => roles.includes(picture.role));
-			if (members.length) {
-				select.append(el("optgroup", { label }, ...members.map((picture) =>
-					el("option", { value: picture.id }, (picture.pass > 0 ? picture.pass + "  " : "") + picture.label))));
-			}
-		}
 		return select;
+	}
+
+	private fillLists(): void {
+		for (const select of [this.selectA, this.selectB]) {
+			const members = (roles: PictureData["role"][]) => this.pictures.filter((picture) => roles.includes(picture.role));
+			select.replaceChildren(...groups.filter(([, roles]) => members(roles).length).map(([label, roles]) =>
+				el("optgroup", { label }, ...members(roles).map((picture) =>
+					el("option", { value: picture.id }, (picture.pass > 0 ? picture.pass + "  " : "") + picture.label)))));
+		}
+		this.selectB.prepend(el("option", { value: "" }, "none"));
+		if (this.options.strip !== false) {
+			this.fillStrip();
+		}
 	}
 
 	private makeOptions(id: string, options: [string, string][], set: (value: string) => void): HTMLSelectElement {
@@ -267,8 +293,8 @@ export class PicturePanel {
 			el("span", { class: "group" }, labeled("Range", this.inputs.low), labeled("to", this.inputs.high),
 				el("button", { type: "button", id: "stretch", "data-tip": "From the darkest to the brightest hundredth: depth, masks (key R)", onclick: () => this.stretch() }, "Stretch")),
 			this.toggles.falseColor, this.toggles.odd, el("button", { type: "button", id: "reset", "data-tip": "As it was (key X)", onclick: () => this.reset() }, "Reset"));
-		const element = section("picture", this.options.title ?? "Picture", this.options.note ?? "", this.viewer.canvas, this.scale, this.probe,
-			fold("Controls", tools, looks), fold(`All ${count(this.pictures.length, "picture")}`, this.strip),
+		const element = section("picture", this.options.title ?? "Picture", this.options.note ?? "", this.stage, this.scale, this.probe,
+			fold("Controls", tools, looks), this.options.strip === false ? null : fold(`All ${count(this.pictures.length, "picture")}`, this.strip),
 			fold("Figures", el("div", { class: "figures-of" }, this.facts, this.plot)));
 		element.dataset.mode = "a";
 		return element;
@@ -276,6 +302,7 @@ export class PicturePanel {
 
 	private fillStrip(): void {
 		const place = (picture: PictureData) => (picture.role === "previous" ? Infinity : picture.pass);
+		this.strip.replaceChildren();
 		for (const picture of this.pictures.toSorted((a, b) => place(a) - place(b) || 0)) {
 			const choose = (event: { shiftKey: boolean }) =>
 				event.shiftKey ? this.choose(this.a.id, picture.id) : this.choose(picture.id, this.b?.id ?? "");

@@ -12,6 +12,28 @@ export interface Pixels {
 	display: boolean;
 	/** "half", "float": as stored; "8 bit": decoded from the PNG. */
 	precision: string;
+	/** RGBA, 8 bit: a final picture as a display shows it, which is shown as it is. */
+	bytes?: Uint8ClampedArray;
+}
+
+/** A final picture of bytes alone; its numbers are made when somebody asks for them. */
+export function fromBytes(width: number, height: number, bytes: Uint8ClampedArray): Pixels {
+	let data: Float32Array | null = null;
+	const decode = () => {
+		data = new Float32Array(bytes.length);
+		for (let i = 0; i < bytes.length; ++i) {
+			data[i] = bytes[i] / 255;
+		}
+		return data;
+	};
+	return { width, height, channels: ["R", "G", "B", "A"], bytes, get data() { return data ?? decode(); }, display: true, precision: "8 bit" };
+}
+
+/** The values of one pixel. */
+export function readPixel(pixels: Pixels, pixel: number): number[] {
+	const number = pixels.channels.length;
+	return pixels.bytes && pixels.precision === "8 bit" ? Array.from(pixels.bytes.subarray(pixel * 4, pixel * 4 + 4), (byte) => byte / 255)
+		: Array.from(pixels.data.subarray(pixel * number, (pixel + 1) * number));
 }
 
 export function srgbToLinear(code: number): number {
@@ -81,13 +103,16 @@ async function fromPng(picture: PictureData): Promise<Pixels> {
 	return { width, height, channels, data, display: picture.encoding === "display", precision: "8 bit" };
 }
 
-const loaded = new Map<string, Promise<Pixels>>();
+const loaded = new WeakMap<PictureData, Promise<Pixels>>();
 
 export function loadPixels(picture: PictureData): Promise<Pixels> {
-	let pixels = loaded.get(picture.id);
+	if (picture.load) {
+		return picture.load();
+	}
+	let pixels = loaded.get(picture);
 	if (!pixels) {
 		pixels = picture.values ? Promise.resolve(fromValues(picture)) : fromPng(picture);
-		loaded.set(picture.id, pixels);
+		loaded.set(picture, pixels);
 	}
 	return pixels;
 }

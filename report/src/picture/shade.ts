@@ -70,6 +70,9 @@ function findOdd(pixels: Pixels, pixel: number): number[] | null {
 }
 
 export function shade(pixels: Pixels, look: Look): ImageData {
+	if (pixels.bytes && isPlain(look) && look.channel === "rgb" && !look.falseColor && !look.odd) {
+		return new ImageData(pixels.bytes, pixels.width, pixels.height);
+	}
 	const image = new ImageData(pixels.width, pixels.height);
 	const bytes = image.data;
 	const { data, channels } = pixels;
@@ -120,13 +123,17 @@ export interface Difference {
 export function subtract(a: Pixels, b: Pixels): Difference {
 	const channels = a.channels.slice(0, Math.min(a.channels.length, b.channels.length));
 	const data = new Float32Array(a.width * a.height * channels.length);
+	const coarse = a.bytes && b.bytes && (a.precision === "8 bit" || b.precision === "8 bit"); // one is known no better
+	const [first, second, unit] = coarse ? [a.bytes!, b.bytes!, 1 / 255] : [a.data, b.data, 1];
+	const [firstStep, secondStep] = coarse ? [4, 4] : [a.channels.length, b.channels.length];
+	const alike = a.width === b.width && a.height === b.height;
 	let [changed, max, sum] = [0, 0, 0];
 	for (let y = 0, pixel = 0; y < a.height; ++y) {
 		for (let x = 0; x < a.width; ++x, ++pixel) {
-			const other = mapTexel(a, b, x, y);
+			const other = alike ? pixel : mapTexel(a, b, x, y);
 			let differs = false;
 			for (let i = 0; i < channels.length; ++i) {
-				const difference = Math.abs(a.data[pixel * a.channels.length + i] - b.data[other * b.channels.length + i]);
+				const difference = unit * Math.abs(first[pixel * firstStep + i] - second[other * secondStep + i]);
 				data[pixel * channels.length + i] = difference;
 				differs ||= difference > 0;
 				max = Math.max(max, difference);

@@ -1,7 +1,7 @@
 // The canvas of the picture viewer: two pictures over or beside each other, moved and enlarged together, down to
 // texels with their numbers drawn on them.
 import { number } from "../format";
-import { Pixels } from "./pixels";
+import { Pixels, readPixel } from "./pixels";
 import { Difference, Look, mapTexel, plainLook, shade, subtract } from "./shade";
 
 export type Mode = "a" | "b" | "slider" | "side" | "difference";
@@ -26,6 +26,13 @@ export interface Probe {
 	b: number[] | null;
 }
 
+/** Setting the size of a canvas clears it and costs. */
+function fitCanvas(canvas: HTMLCanvasElement, width: number, height: number): void {
+	if (canvas.width !== width || canvas.height !== height) {
+		[canvas.width, canvas.height] = [width, height];
+	}
+}
+
 const largestTexel = 160; // CSS pixels
 const numbersFrom = 46; // CSS pixels of a texel
 
@@ -35,13 +42,14 @@ export class Viewer {
 	mode: Mode = "a";
 	gain = 1;
 	split = 0.5; // of the canvas
-	difference: Difference | null = null;
 	onProbe: (probe: Probe | null) => void = () => undefined;
 	onChange: () => void = () => undefined; // of the zoom or the split
+	onPick: (x: number, y: number) => void = () => undefined; // a click or Enter on a texel of A
 
 	private a: Layer | null = null;
 	private b: Layer | null = null;
 	private d: Layer | null = null;
+	private subtracted: Difference | null = null; // A and B, where it was asked for
 	private center = { x: 0.5, y: 0.5 }; // of the picture, in the middle of a pane
 	private zoom = 1; // 1: the picture just fits
 	private cursor: { x: number; y: number } | null = null; // texel of A
@@ -57,25 +65,30 @@ export class Viewer {
 	}
 
 	setPictures(a: Pixels, b: Pixels | null): void {
-		this.a = { pixels: a, canvas: document.createElement("canvas") };
-		this.b = b && { pixels: b, canvas: document.createElement("canvas") };
-		this.difference = b && subtract(a, b);
-		this.d = this.difference && { pixels: this.difference.pixels, canvas: document.createElement("canvas") };
+		const layer = (old: Layer | null, pixels: Pixels) => ({ pixels, canvas: old?.canvas ?? document.createElement("canvas") });
+		this.a = layer(this.a, a);
+		this.b = b && layer(this.b, b);
+		this.subtracted = this.d = null;
 		if (this.cursor && (this.cursor.x >= a.width || this.cursor.y >= a.height)) {
 			this.cursor = null;
 		}
 		this.shade();
 	}
 
+	get difference(): Difference | null {
+		return (this.subtracted ??= this.a && this.b && subtract(this.a.pixels, this.b.pixels));
+	}
+
 	/** After the look, the mode or the gain changed. */
 	shade(): void {
 		const paint = (layer: Layer | null, look: Look) => {
 			if (layer) {
-				[layer.canvas.width, layer.canvas.height] = [layer.pixels.width, layer.pixels.height];
+				fitCanvas(layer.canvas, layer.pixels.width, layer.pixels.height);
 				layer.canvas.getContext("2d")!.putImageData(shade(layer.pixels, look), 0, 0);
 			}
 		};
 		if (this.mode === "difference") {
+			this.d ??= this.difference && { pixels: this.difference.pixels, canvas: document.createElement("canvas") };
 			paint(this.d, { ...this.look, exposure: Math.log2(this.gain), low: 0, high: 1, gamma: 1, odd: false });
 		} else {
 			paint(this.mode === "b" ? null : this.a, this.look);
@@ -140,9 +153,11 @@ export class Viewer {
 		const panes = this.mode === "side" ? 2 : 1;
 		const [width, height] = [this.canvas.clientWidth / panes, this.canvas.clientHeight];
 		const { pixels } = this.a!;
-		const size = Math.min(width / pixels.width, height / pixels.height) * this.zoom;
+		const free = Math.min(width / pixels.width, height / pixels.height) * this.zoom;
+		const size = Math.abs(free - Math.round(free)) < 1e-6 ? Math.round(free) : free;
 		const [w, h] = [pixels.width * size, pixels.height * size];
-		return { x: pane * width + width / 2 - this.center.x * w, y: height / 2 - this.center.y * h, width: w, height: h };
+		const snap = size >= 1 ? Math.round : (at: number) => at; // texels as pixels: exactly those
+		return { x: snap(pane * width + width / 2 - this.center.x * w), y: snap(height / 2 - this.center.y * h), width: w, height: h };
 	}
 
 	private probe(): void {
@@ -150,14 +165,12 @@ export class Viewer {
 			this.onProbe(null);
 			return;
 		}
-		const read = (pixels: Pixels, pixel: number) =>
-			Array.from(pixels.data.subarray(pixel * pixels.channels.length, (pixel + 1) * pixels.channels.length));
 		const { x, y } = this.cursor;
 		const { pixels } = this.a;
 		this.onProbe({
 			x, y,
-			a: read(pixels, y * pixels.width + x),
-			b: this.b && read(this.b.pixels, mapTexel(pixels, this.b.pixels, x, y)),
+			a: readPixel(pixels, y * pixels.width + x),
+			b: this.b && readPixel(this.b.pixels, mapTexel(pixels, this.b.pixels, x, y)),
 		});
 	}
 
@@ -167,12 +180,19 @@ export class Viewer {
 		this.onChange();
 	}
 
+	/** Draws what is due now and not with the next frame of the screen. */
+	drawNow(): void {
+		cancelAnimationFrame(this.pending);
+		this.paint();
+	}
+
 	private paint(): void {
 		const ratio = devicePixelRatio || 1;
 		const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
-		this.canvas.width = Math.round(width * ratio);
-		this.canvas.height = Math.round(height * ratio);
+		fitCanvas(this.canvas, Math.round(width * ratio), Math.round(height * ratio));
 		const context = this.canvas.getContext("2d")!;
+		context.setTransform(1, 0, 0, 1, 0, 0);
+		context.clearRect(0, 0, this.canvas.width, this.canvas.height);
 		context.scale(ratio, ratio);
 		if (!this.a || width === 0) {
 			return;
@@ -237,8 +257,9 @@ export class Viewer {
 		};
 		for (let y = first.y; y < last.y; ++y) {
 			for (let x = first.x; x < last.x; ++x) {
+				const values = readPixel(pixels, y * pixels.width + x);
 				for (let i = 0; i < channels; ++i) {
-					const text = number(pixels.data[(y * pixels.width + x) * channels + i]);
+					const text = number(values[i]);
 					const at: [number, number] = [
 						box.x + (x + 0.5) * texel, box.y + (y + 0.5) * texel + (i - (channels - 1) / 2) * size * 1.15];
 					context.strokeStyle = "#000c";
@@ -274,13 +295,24 @@ export class Viewer {
 	private listen(): void {
 		const canvas = this.canvas;
 		let drag: "pan" | "split" | null = null;
+		let way = 0; // of a drag, CSS pixels
 		canvas.addEventListener("pointerdown", (event) => {
 			const near = Math.abs(event.offsetX - this.split * canvas.clientWidth) < 12;
 			drag = this.mode === "slider" && near ? "split" : "pan";
+			way = 0;
 			canvas.setPointerCapture(event.pointerId);
 		});
-		canvas.addEventListener("pointerup", () => (drag = null));
+		canvas.addEventListener("pointerup", (event) => {
+			const texel = drag === "pan" && way < 4 && this.toTexel(event.offsetX, event.offsetY);
+			drag = null;
+			if (texel) {
+				this.setCursor(texel.x, texel.y);
+				this.onPick(texel.x, texel.y);
+			}
+		});
+		canvas.addEventListener("pointercancel", () => (drag = null));
 		canvas.addEventListener("pointermove", (event) => {
+			way += Math.abs(event.movementX) + Math.abs(event.movementY);
 			if (drag === "pan") {
 				this.pan(-event.movementX, -event.movementY);
 			} else if (drag === "split") {
@@ -315,6 +347,8 @@ export class Viewer {
 		if (arrow) {
 			const step = this.canvas.clientWidth / 12;
 			shift ? this.moveCursor(...arrow) : this.pan(arrow[0] * step, arrow[1] * step);
+		} else if (key === "Enter" && this.cursor) {
+			this.onPick(this.cursor.x, this.cursor.y);
 		} else if (key === "+" || key === "=") {
 			this.setZoom(this.zoom * 1.5);
 		} else if (key === "-") {

@@ -1,6 +1,7 @@
 // Shows the parts of the page, and its keys, in two boxes that open on request.
 import { el, table } from "../dom";
 import { bytes, time } from "../format";
+import { PicturePanel } from "../picture/panel";
 
 /** Filled in by build.mjs: what each part weighs in the bundle, minified. */
 declare const PARTS: { name: string; version: string; license: string; does: string; bytes: number }[];
@@ -15,9 +16,10 @@ const keys: [string, string][] = [
 	["←  →", "on a plot: from place to place"], [",  .  P  K", "of a sequence: frame before, next, play, B follows"], ["G", "of a study: small panels"],
 ];
 
-export function makeKeys(): HTMLDialogElement {
+/** More: keys of the page alone. */
+export function makeKeys(more: [string, string][] = []): HTMLDialogElement {
 	return el<HTMLDialogElement>("dialog", { id: "keys", "aria-label": "Keys" }, el("h2", {}, "Keys"),
-		el("dl", {}, keys.flatMap(([key, does]) => [el("dt", {}, key), el("dd", {}, does)])),
+		el("dl", {}, [...more, ...keys.filter(([key]) => !more.some(([other]) => other === key))].flatMap(([key, does]) => [el("dt", {}, key), el("dd", {}, does)])),
 		el("form", { method: "dialog" }, el("button", {}, "Close")));
 }
 
@@ -31,4 +33,23 @@ export function makeAbout(version: string, written: string, size: number): HTMLD
 			{ title: "Does", cell: (part) => part.does }, { title: "Size", number: true, cell: (part) => bytes(part.bytes) },
 		], PARTS),
 		el("form", { method: "dialog" }, el("button", {}, "Close")));
+}
+
+/** Keys act wherever on the page the focus is, but in a field; those that are not in actions are the picture's. */
+export function listenKeys(actions: Record<string, () => void>, picture?: PicturePanel | null): void {
+	addEventListener("keydown", (event) => {
+		const { target } = event;
+		const typing = (target instanceof HTMLInputElement && target.type !== "range") || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+		if (event.defaultPrevented || typing || event.ctrlKey || event.metaKey || event.altKey) {
+			return;
+		}
+		if (actions[event.key]) {
+			if (event.key !== "Escape") { // which also closes a dialog
+				event.preventDefault();
+			}
+			actions[event.key]();
+		} else if (picture?.press(event.key, event.shiftKey)) {
+			event.preventDefault();
+		}
+	});
 }

@@ -4,7 +4,8 @@ import { el, section, table } from "../dom";
 import { count, number, value } from "../format";
 import { WalkPanel } from "./walk";
 
-function story(entries: LedgerEntry[]): HTMLElement {
+/** What gave a setting its value, step by step. */
+export function story(entries: LedgerEntry[]): HTMLElement {
 	return el("ol", { class: "ledger" }, entries.map((entry) => el("li", { class: entry.skipped ? "skipped" : "" },
 		el("span", { class: "source" }, entry.source), " ",
 		el("span", { class: "quiet" }, [entry.kind, entry.rule, entry.weight !== null && entry.weight !== 1 ? `weight ${number(entry.weight)}` : "",

@@ -1,0 +1,164 @@
+// Runs the state once more, with what looks into it.
+#include "Live/LiveInspect.h"
+
+#include "Blend/MakeBlendReport.h"
+#include "DispatchObserver.h"
+#include "Inspect/ProbeRun.h"
+#include "Inspect/TraceCapture.h"
+#include "Live/LiveErrors.h"
+#include "Live/LiveSession.h"
+#include "Report/RunReport.h"
+#include "Run/RunSetup.h"
+#include "Study/StudySubject.h"
+#include "Text/JsonWriter.h"
+#include "TextTools.h"
+
+#include <algorithm>
+
+namespace Drydock
+{
+
+namespace
+{
+
+/** For a run beside the frame's. */
+FRunOptions BeginOwnRun(FLiveSession& Session)
+{
+	Session.EndRun();
+	return Session.MakeOptions();
+}
+
+std::string MakeAnswer(const std::string& Text, const std::string& Json)
+{
+	FJsonWriter Writer('{');
+	Writer.Member("text", Text);
+	Writer.Key("json").Raw(Trim(Json));
+	return Writer.GetText();
+}
+
+/** The settings that differ from the start, at most a few: "BloomIntensity 2, BloomThreshold 1". */
+std::string DescribeDifference(const FLiveSession& Session, const FFinalPostProcessSettings& Settings)
+{
+	constexpr int Most = 3;
+	std::string Label;
+	int Count = 0;
+	for (const FSettingField& Field : GetSettingFields())
+	{
+		const std::string Value = SettingToText(Field, Field.Get(Settings));
+		if (Session.GetStartSettings() && Value != SettingToText(Field, Field.Get(*Session.GetStartSettings())) &&
+			Count++ < Most)
+		{
+			Label += (Label.empty() ? "" : ", ") + std::string(Field.Name) + " " + Value;
+		}
+	}
+	return Count == 0     ? Session.GetHistory().GetText() == Session.GetHistory().GetStart() ? "start" : "other variables"
+		   : Count > Most ? Label + " and " + std::to_string(Count - Most) + " more"
+						  : Label;
+}
+
+/** The study of a config, else one whose exact frame is in double. */
+FStudy FindStudy(FLiveSession& Session)
+{
+	std::vector<FDiagnostic> Ignored; // the run has told
+	FStudy Study = ReadStudy(Session.BeginRun(), Ignored).value_or(FStudy());
+	if (Study.bBlur || Study.Reference.empty())
+	{
+		Study = FStudy();
+		Study.Reference = {{"precision", "double", {}}, {"storage", "float64", {}}};
+	}
+	if (Study.Metrics.empty())
+	{
+		Study.Metrics = {"rms"};
+	}
+	return Study;
+}
+
+} // namespace
+
+FPicture ReadPassPicture(FLiveSession& Session, int Pass, const std::string& Resource)
+{
+	FRunOptions Options = BeginOwnRun(Session);
+	Options.Dump = {Resource};
+	const FRunResult Result = RunConfig(Options);
+	for (const FRunDump& Dump : Result.Dumps)
+	{
+		if (Dump.PassIndex == Pass && Dump.Resource == Resource)
+		{
+			return Dump.Image;
+		}
+	}
+	throw FError({.Code = ErrorBadEdit,
+					 .Message = "pass " + std::to_string(Pass) + " writes no " + Resource,
+					 .Where = "resource"},
+		ExitUsage);
+}
+
+std::string MakeLiveReport(FLiveSession& Session)
+{
+	FRunOptions Options = BeginOwnRun(Session);
+	Options.bKeepForReport = true;
+	const FRunResult Result = RunConfig(Options);
+	return MakeRunReportData(Options, Result);
+}
+
+std::string MakeLedgerJson(FLiveSession& Session, const std::string& Setting)
+{
+	const std::vector<size_t> Fields = FindSettings({Setting});
+	const FRunSetup Setup(BeginOwnRun(Session));
+	return MakeBlendJson(MakeBlendReport(Setup, "view", Setup.Config.Plugins.empty()), Fields);
+}
+
+std::string ProbeLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+{
+	FProbeRequest Request;
+	Request.X = X;
+	Request.Y = Y;
+	Request.Passes = Pass.empty() ? "*" : Pass;
+	const FProbedRun Probed = ProbeRun(BeginOwnRun(Session), Request);
+	return MakeAnswer(MakeProbeText(Probed.Passes, {}, Request), MakeProbeJson(Probed.Passes, {}, Request));
+}
+
+std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+{
+	FTraceRequest Request;
+	Request.Pass = Pass;
+	Request.At = {X, Y, 0};
+	FTraceCapture Capture(Request);
+	{
+		const FScopedDispatchObserver Scope(Capture);
+		RunConfig(BeginOwnRun(Session));
+	}
+	std::string Text;
+	for (const FCapturedTrace& Captured : Capture.GetTraces())
+	{
+		Text += (Text.empty() ? "" : "\n") + MakeTraceText(Captured, Request);
+	}
+	return MakeAnswer(Text, MakeTraceJson(Capture.GetTraces(), Request));
+}
+
+std::string MeasurePrice(FLiveSession& Session)
+{
+	constexpr int NumRuns = 5;
+	const FStudy Study = FindStudy(Session);
+	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
+	FMeasured Measured = Subject->Run({}); // warms up
+	std::vector<double> Times;
+	for (int Run = 0; Run < NumRuns; ++Run)
+	{
+		Times.push_back(Subject->Run({}).Milliseconds);
+	}
+	std::ranges::sort(Times);
+	const FMeasured Exact = Subject->RunReference({});
+	FLiveDot Dot{.Revision = Session.GetHistory().GetRevision(),
+		.Milliseconds = Times[NumRuns / 2],
+		.Metric = Study.Metrics[0]};
+	Dot.Error = GetMetric(CompareImages(Measured.Image, Exact.Image, {.Encoding = Measured.Encoding}), Dot.Metric);
+	Dot.Label = Session.GetFrame() != nullptr ? DescribeDifference(Session, Session.GetFrame()->Settings) : "";
+	FJsonWriter Writer;
+	Writer.Object({{"milliseconds", Dot.Milliseconds}, {"error", Dot.Error}, {"metric", Dot.Metric},
+		{"label", Dot.Label}, {"revision", Dot.Revision}});
+	Session.AddDot(std::move(Dot));
+	return Writer.GetText();
+}
+
+} // namespace Drydock

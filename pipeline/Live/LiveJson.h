@@ -1,0 +1,31 @@
+// What the page is told, as JSON.
+#pragma once
+
+#include "Diagnostics.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Drydock
+{
+
+struct FRunResult;
+class FLiveSession;
+
+/** {"messages": [{severity, code, message, where, file, line}]} */
+std::string MakeMessagesJson(const std::vector<FDiagnostic>& Messages);
+
+/** The event "fault": a state of which no frame was made, and why. */
+std::string MakeFaultJson(uint64_t Revision, const std::vector<FDiagnostic>& Messages);
+
+/** The event "frame". WholeMs: from the state to its picture. */
+std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double WholeMs);
+
+/** All that a page shows of a session. Begins its run. */
+std::string MakeStateJson(FLiveSession& Session);
+
+/** A name as the engine's editor shows it where nobody gives another: "Bloom Intensity" of BloomIntensity. */
+DRYDOCK_API std::string MakeDisplayName(const std::string& Name, bool bBool);
+
+} // namespace Drydock

@@ -1,0 +1,52 @@
+// The finished pictures of a session, for every thread that is asked for one.
+#pragma once
+
+#include "Run/RunResult.h"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace Drydock
+{
+
+/** A final picture. */
+struct FLivePicture
+{
+	uint64_t Revision = 0;
+	FPicture Final;
+	std::string Codes; // rows from the top, RGBA of 8 bits: what final.png holds, and 255
+};
+
+/** Makes it, by all threads. */
+DRYDOCK_API std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRunResult& Result);
+
+/** Bytes of 32-bit floats, RGBA, rows from the top. Alpha is 1 where the picture has none. */
+DRYDOCK_API std::string MakeFloatBytes(const FPicture& Picture);
+
+/** Every function from any thread. */
+class DRYDOCK_API FLivePictures
+{
+public:
+	using FHandle = std::shared_ptr<const FLivePicture>;
+
+	/** The newest. The first one is the start's. */
+	void Add(const FHandle& Picture);
+
+	/** Keeps the newest under a name. */
+	void Keep(const std::string& Name);
+	void Forget(const std::string& Name);
+
+	/** "now", "start", a name that was kept, or a revision, of which the last few are here. Null: there is none. */
+	FHandle Find(const std::string& Name) const;
+
+private:
+	mutable std::mutex Mutex;
+	std::deque<FHandle> Last; // the newest first
+	std::map<std::string, FHandle> Kept;
+};
+
+} // namespace Drydock

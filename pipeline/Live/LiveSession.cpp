@@ -1,0 +1,233 @@
+// Checks each state by setting up its run, which the frame then uses.
+#include "Live/LiveSession.h"
+
+#include "Live/LiveErrors.h"
+#include "Live/LiveJson.h"
+#include "Run/RunFiles.h"
+#include "SceneFile/SceneCache.h"
+#include "Text/JsonWriter.h"
+#include "Text/TextFile.h"
+#include "TextTools.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace Drydock
+{
+
+namespace
+{
+
+constexpr size_t MaxPins = 32;
+constexpr size_t MaxDots = 1000;
+
+double MillisecondsSince(std::chrono::steady_clock::time_point Begin)
+{
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
+}
+
+std::string MakeLine(const std::string& Key, const std::string& Json)
+{
+	return "{" + FJsonWriter::Quote(Key) + ": " + Json + "}";
+}
+
+std::string MakeEditLine(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
+{
+	std::string List;
+	for (const FConfigEdit& Edit : Edits)
+	{
+		List += (List.empty() ? "" : ", ") + WriteEdit(Edit);
+	}
+	return "{\"edits\": [" + List + "]" + (Drag.empty() ? "" : ", \"drag\": " + FJsonWriter::Quote(Drag)) + "}";
+}
+
+} // namespace
+
+FLiveSession::FLiveSession(
+	FLiveOptions InOptions, FEditHistory InHistory, FLiveEvents& InEvents, FLivePictures& InPictures)
+	: Options(std::move(InOptions))
+	, History(std::move(InHistory))
+	, Events(InEvents)
+	, Pictures(InPictures)
+	, SceneCache(std::make_shared<FSceneCache>())
+	, FileText(TryReadTextFile(History.GetFile()).value_or(""))
+{
+}
+
+FLiveSession::~FLiveSession() = default;
+
+FRunOptions FLiveSession::MakeOptions() const
+{
+	FRunOptions Made = Options.Run;
+	Made.ConfigText = History.GetText();
+	Made.SceneCache = SceneCache;
+	return Made;
+}
+
+void FLiveSession::Prepare(const std::string& Text)
+{
+	if (Run && RunText == Text)
+	{
+		return;
+	}
+	Run.reset(); // there is one at a time
+	FRunOptions RunOptions = MakeOptions();
+	RunOptions.ConfigText = Text;
+	Run = std::make_unique<FRunSession>(RunOptions);
+	RunText = Text;
+}
+
+const FConfig& FLiveSession::BeginRun()
+{
+	Prepare(History.GetText());
+	return Run->GetConfig();
+}
+
+void FLiveSession::Take(
+	const std::string& Text, FEditHistory::EMove Move, const std::string& Line, const std::string& Drag)
+{
+	Prepare(Text);
+	History.Take(Text, Move, Line, Drag);
+	bFrameWanted = true;
+	bNewFiles = true;
+	TellState();
+}
+
+void FLiveSession::Edit(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
+{
+	const std::string Text = History.Edit(Edits);
+	if (Text != History.GetText())
+	{
+		Take(Text, FEditHistory::EMove::Forward, MakeEditLine(Edits, Drag), FEditHistory::MakeDrag(Drag, Edits));
+	}
+}
+
+void FLiveSession::Undo()
+{
+	Take(History.Undo(), FEditHistory::EMove::Undo, MakeLine("undo", "true"));
+}
+
+void FLiveSession::Redo()
+{
+	Take(History.Redo(), FEditHistory::EMove::Redo, MakeLine("redo", "true"));
+}
+
+void FLiveSession::Reset(const std::optional<std::string>& Pointer)
+{
+	Take(History.Reset(Pointer), FEditHistory::EMove::Forward,
+		MakeLine("reset", Pointer ? FJsonWriter::Quote(*Pointer) : "null"));
+}
+
+int FLiveSession::Pin(const std::string& Name)
+{
+	if (Pins.size() >= MaxPins)
+	{
+		throw FError({.Code = ErrorBadEdit,
+						 .Message = "there are " + std::to_string(MaxPins) + " pins already: remove one first"},
+			ExitUsage);
+	}
+	if (bFrameWanted)
+	{
+		RunFrame(); // its picture is the pin's
+	}
+	const int Number = ++NumPins;
+	Pins.push_back({Number, Name.empty() ? "Pin " + std::to_string(Number) : Name, History.GetRevision()});
+	Pictures.Keep("pin-" + std::to_string(Number));
+	TellState();
+	return Number;
+}
+
+void FLiveSession::Unpin(int Number)
+{
+	if (std::erase_if(Pins, [&](const FLivePin& Pin) { return Pin.Number == Number; }) == 0)
+	{
+		throw FError(
+			{.Code = ErrorBadEdit, .Message = "there is no pin " + std::to_string(Number)}, ExitUsage);
+	}
+	Pictures.Forget("pin-" + std::to_string(Number));
+	TellState();
+}
+
+void FLiveSession::AddDot(FLiveDot Dot)
+{
+	std::erase_if(Dots, [&](const FLiveDot& Other) { return Other.Revision == Dot.Revision; });
+	Dots.push_back(std::move(Dot));
+	if (Dots.size() > MaxDots)
+	{
+		Dots.erase(Dots.begin());
+	}
+}
+
+void FLiveSession::RunFrame()
+{
+	const auto Begin = std::chrono::steady_clock::now();
+	bFrameWanted = false;
+	try
+	{
+		Prepare(History.GetText());
+		Frame = Run->Run(std::nullopt, {});
+		const auto Picture = MakeLivePicture(History.GetRevision(), *Frame);
+		if (!StartSettings)
+		{
+			StartSettings = Frame->Settings;
+		}
+		Pictures.Add(Picture);
+		FrameJson = MakeFrameJson(History.GetRevision(), *Frame, MillisecondsSince(Begin));
+		FaultJson = "null";
+		Events.Send("frame", FrameJson);
+	}
+	catch (...)
+	{
+		Run.reset();
+		TellFault(Options.Explain(std::current_exception()).GetDiagnostics());
+	}
+}
+
+void FLiveSession::LookAtFiles()
+{
+	FWatchedFiles Present = FindRunFiles(MakeOptions());
+	// Another state may name other files, and a plugin's are known once it is loaded.
+	if (std::exchange(bNewFiles, false) || Present == Files)
+	{
+		Files = std::move(Present);
+		return;
+	}
+	const std::string& ConfigFile = History.GetFile();
+	const FWatchedFiles Before = std::exchange(Files, std::move(Present));
+	const std::optional<std::vector<std::string>> Edited = Files.FindEdited(Before);
+	const std::string Text = TryReadTextFile(ConfigFile).value_or(FileText);
+	const bool bConfig = std::exchange(FileText, Text) != Text;
+	if (!Edited || Edited->size() > (bConfig ? 1u : 0u))
+	{
+		Run.reset();
+		ForgetEdited(Before, Files);
+		History.TakeChange();
+		bFrameWanted = true;
+		TellState();
+	}
+	if (!bConfig || Text == History.GetText())
+	{
+		return;
+	}
+	try
+	{
+		Take(Text, FEditHistory::EMove::Forward, MakeLine("text", FJsonWriter::Quote(Text)));
+	}
+	catch (...)
+	{
+		TellFault(Options.Explain(std::current_exception()).GetDiagnostics());
+	}
+}
+
+void FLiveSession::TellState()
+{
+	Events.Send("state", "{\"revision\": " + std::to_string(History.GetRevision()) + "}");
+}
+
+void FLiveSession::TellFault(const std::vector<FDiagnostic>& Messages)
+{
+	FaultJson = MakeFaultJson(History.GetRevision(), Messages);
+	Events.Send("fault", FaultJson);
+}
+
+} // namespace Drydock
