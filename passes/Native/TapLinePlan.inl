@@ -15,6 +15,8 @@ struct FLineColumns
 	int32_t Place;
 	int32_t Begin; // positions before it and from End on are held at the edge texel
 	int32_t End;
+	/** Not null: the places, whose texels are in step while their weights are not: a picture of odd size is halved. */
+	const int32_t* Drifting;
 };
 
 /** A tap: the line of its columns at its row, Shift positions further on. */
@@ -32,20 +34,76 @@ struct FLinePlan
 	FLineColumns Columns[GMostLineTaps];
 	int32_t NumColumns = 0;
 	FLineTap Taps[GMostLineTaps];
+	int32_t Step = 0; // places from position to position
 	int32_t NumPositions = 0;
 	int32_t FirstTexel = 0;
 	int32_t NumTexels = 0;
 };
 
+constexpr int32_t GDriftingStep = 512;
+
+/** How many pixels from First on, at most Most, have texels in step for every tap, whatever their weights; not of a
+ * source whose places are in step. */
+inline int32_t CountDrifting(const FSourcePlan& Source, int32_t First, int32_t Most)
+{
+	int32_t Count = Most;
+	for (int32_t Index = 0; Index < Source.Source->NumTaps; ++Index)
+	{
+		const int32_t* const Places = Source.Taps[Index].Columns + First;
+		const int32_t Begin = TexelBelow(Places[0]);
+		int32_t Pixel = 1;
+		while (Pixel < Count && TexelBelow(Places[Pixel]) == Begin + GDriftingStep / 256 * Pixel)
+		{
+			++Pixel;
+		}
+		Count = Pixel;
+	}
+	return Count;
+}
+
+/** The same for drifting taps: each axis is a line of its own. */
+inline bool PlanDriftingLines(const FSourcePlan& Source, int32_t First, int32_t Width, FLinePlan& Out)
+{
+	Out.Step = GDriftingStep;
+	Out.NumPositions = Width;
+	int32_t Last = -(1 << 30);
+	Out.FirstTexel = 1 << 30;
+	for (int32_t Index = 0; Index < Source.Source->NumTaps; ++Index)
+	{
+		const int32_t* const Places = Source.Taps[Index].Columns + First;
+		int32_t Known = 0;
+		while (Known < Out.NumColumns && Out.Columns[Known].Drifting != Places)
+		{
+			++Known;
+		}
+		if (Known == Out.NumColumns)
+		{
+			Out.Columns[Out.NumColumns++] = {Places[0], 0, Width, Places};
+		}
+		Out.Taps[Index] = {Known, 0};
+		const int32_t Lowest = TexelBelow(Places[0]);
+		const int32_t End = TexelBelow(Places[Width - 1]) + 1;
+		Out.FirstTexel = Lowest < Out.FirstTexel ? Lowest : Out.FirstTexel;
+		Last = End > Last ? End : Last;
+	}
+	Out.NumTexels = Last + 1 - Out.FirstTexel;
+	return true;
+}
+
 /** For Width pixels of the tile from column First on. False where lines do not stand for the taps. */
 inline bool PlanLines(const FSourcePlan& Source, int32_t First, int32_t Width, FLinePlan& Out)
 {
 	const FTapSource& Taps = *Source.Source;
-	if (Taps.NumTaps > GMostLineTaps || Taps.Beyond != EBeyondRect::Clamp || Source.Step == 0)
+	if (Taps.NumTaps > GMostLineTaps || Taps.Beyond != EBeyondRect::Clamp)
 	{
 		return false;
 	}
+	if (Source.Step == 0)
+	{
+		return PlanDriftingLines(Source, First, Width, Out);
+	}
 	const int32_t Step = Source.Step;
+	Out.Step = Step;
 	int32_t MostShift = 0;
 	for (int32_t Index = 0; Index < Taps.NumTaps; ++Index)
 	{
@@ -57,7 +115,7 @@ inline bool PlanLines(const FSourcePlan& Source, int32_t First, int32_t Width, F
 		}
 		if (Known == Out.NumColumns)
 		{
-			Out.Columns[Out.NumColumns++] = {Place, 0, 0};
+			Out.Columns[Out.NumColumns++] = {Place, 0, 0, nullptr};
 		}
 		else if (Place < Out.Columns[Known].Place)
 		{

@@ -1,6 +1,6 @@
 // Few bilinear taps whose samples neighbouring pixels share: each sample is mixed once, into a line of samples one to a
 // pixel, and a tap is that line, shifted by whole pixels. Dual Kawase, the pyramid, halving. Included by
-// TapSumLanes.inl only.
+// TapLineStretches.inl only.
 #pragma once
 
 #include "Native/StripStores.inl"
@@ -57,8 +57,17 @@ public:
 			StripRows[Slot] = NoRow;
 		}
 		LineTexels = static_cast<float*>(
-			GetTapMemory(ResampledMemory, (size_t(GMostLineTaps + 1) * size_t(LineFloats) + N) * sizeof(float)));
-		Sums = LineTexels + size_t(GMostLineTaps) * size_t(LineFloats);
+			GetTapMemory(ResampledMemory, (size_t(2 * GMostLineTaps + 1) * size_t(LineFloats) + N) * sizeof(float)));
+		DriftingWeights = LineTexels + size_t(GMostLineTaps) * size_t(LineFloats);
+		Sums = DriftingWeights + size_t(GMostLineTaps) * size_t(LineFloats);
+		for (int32_t Index = 0; Index < Lines.NumColumns && Lines.Columns[Index].Drifting; ++Index)
+		{
+			float* const To = DriftingWeights + size_t(Index) * size_t(LineFloats);
+			for (int32_t i = 0; i < Lines.NumPositions * C; ++i)
+			{
+				To[i] = WeightOfNext(Lines.Columns[Index].Drifting[i / C]);
+			}
+		}
 		for (int32_t Index = 0; Index < Source.NumTaps; ++Index)
 		{
 			for (int32_t Lane = 0; Lane < N; ++Lane)
@@ -182,21 +191,26 @@ private:
 		if (bMake)
 		{
 			Kept[Free] = {Columns, Place, Row};
-			MakeLine(Lines.Columns[Columns], MixRows(Place), Texels);
+			MakeLine(Columns, MixRows(Place), Texels);
 		}
 		return Texels;
 	}
 
 	/** Row: texels from the first one on. */
-	void MakeLine(const FLineColumns& Columns, const float* Row, float* Line) const
+	void MakeLine(int32_t Index, const float* Row, float* Line) const
 	{
+		const FLineColumns& Columns = Lines.Columns[Index];
 		const float* const Texels = Row + (TexelBelow(Columns.Place) - Lines.FirstTexel) * C;
 		const float Weight = WeightOfNext(Columns.Place);
-		if (Plan.Step == 512)
+		if (Columns.Drifting)
+		{
+			HalveDrifting(Texels, DriftingWeights + size_t(Index) * size_t(LineFloats), Line);
+		}
+		else if (Lines.Step == 512)
 		{
 			Weight == 0 ? HalveTexels<false>(Texels, Weight, Line) : HalveTexels<true>(Texels, Weight, Line);
 		}
-		else if (Plan.Step == 256)
+		else if (Lines.Step == 256)
 		{
 			Weight == 0 ? MoveTexels<false>(Texels, Weight, Line) : MoveTexels<true>(Texels, Weight, Line);
 		}
@@ -213,7 +227,7 @@ private:
 	{
 		for (int32_t i = Begin; i < End; ++i)
 		{
-			const int32_t Texel = TexelBelow(Columns.Place + Plan.Step * i) - Lines.FirstTexel;
+			const int32_t Texel = TexelBelow(Columns.Place + Lines.Step * i) - Lines.FirstTexel;
 			__builtin_memcpy(Line + i * C, Row + Texel * C, C * sizeof(float));
 		}
 	}
@@ -236,6 +250,21 @@ private:
 		}
 	}
 
+	/** With a weight for each float of the line. */
+	DRYDOCK_LANES_INLINE void HalveDrifting(const float* Texels, const float* PositionWeights, float* Line) const
+	{
+		const int32_t Count = Lines.NumPositions * C;
+		for (int32_t i = 0; i < Count; i += N)
+		{
+			const FFloat Low = LoadRaw<FFloat>(Texels + 2 * i);
+			const FFloat High = LoadRaw<FFloat>(Texels + 2 * i + N);
+			const FFloat Value = PickTexels<C, 0>(Low, High);
+			const FFloat Weight = LoadRaw<FFloat>(PositionWeights + i);
+			const FFloat Mixed = Mix(Value, PickTexels<C, 1>(Low, High), Weight);
+			StoreRaw(Line + i, Weight == 0.0f ? Value : Mixed);
+		}
+	}
+
 	template<bool bMixed>
 	DRYDOCK_LANES_INLINE void MoveTexels(const float* Texels, float Weight, float* Line) const
 	{
@@ -255,7 +284,7 @@ private:
 	/** Every second position moves a texel on. */
 	DRYDOCK_LANES_INLINE void DoubleTexels(int32_t Place, const float* Row, float* Line) const
 	{
-		const int32_t Odd = Place + Plan.Step;
+		const int32_t Odd = Place + Lines.Step;
 		const float* const EvenTexels = Row + (TexelBelow(Place) - Lines.FirstTexel) * C;
 		const float* const OddTexels = Row + (TexelBelow(Odd) - Lines.FirstTexel) * C;
 		const FFloat EvenWeight = Broadcast<float, N>(WeightOfNext(Place));
@@ -437,6 +466,7 @@ private:
 	float* Mixed = nullptr;
 	int32_t MixedPlace = NoRow;
 	float* LineTexels = nullptr;
+	float* DriftingWeights = nullptr; // of the lines of columns, a LineFloats apart
 	float* Sums = nullptr;
 	/** The line that a slot of LineTexels holds, and the last row of the tile that used it. */
 	struct FLine
@@ -452,29 +482,6 @@ private:
 	const bool bFromZero = Source.bFromZero;
 	const bool bNoNegatives = Sum.bNoNegatives;
 };
-
-/** Stores the tile's sums; false, with anything stored, where it does not know them. */
-template<int N>
-inline bool SumTapLines(const FTapSum& Sum, const FSourcePlan& Plan, const FKernelTexture& Target,
-	const FKernelTile& Tile, int32_t ToTargetX, int32_t ToTargetY)
-{
-	// All that a row of pixels reads and keeps stays in the first cache.
-	constexpr int32_t MostTexels = 256;
-	const int32_t Width = Tile.MaxX - Tile.MinX;
-	const int32_t Chunk = Plan.Step == 512 ? MostTexels / 2 : Width;
-	bool bDone = true;
-	for (int32_t First = 0; First < Width && bDone; First += Chunk)
-	{
-		FKernelTile Columns = Tile;
-		Columns.MinX = Tile.MinX + First;
-		Columns.MaxX = Tile.MaxX - Columns.MinX < Chunk ? Tile.MaxX : Columns.MinX + Chunk;
-		FLinePlan Lines;
-		bDone = PlanLines(Plan, First, Columns.MaxX - Columns.MinX, Lines);
-		VisitStripChannels(GetStripChannels(Target.Storage), [&](auto Channels)
-			{ bDone = bDone && TTapLines<N, Channels>(Sum, Plan, Lines, Target, Columns).Run(ToTargetX, ToTargetY); });
-	}
-	return bDone;
-}
 
 } // namespace DRYDOCK_LANES_SET
 } // namespace Drydock::Lanes

@@ -1,9 +1,9 @@
-// The sum of taps in lanes: few taps by the lines of samples that they share (TapLines.inl); others in chunks of
-// columns whose source rows stay in the cache, row by row, channel by channel, four vectors side by side. Included by
-// TapSum_*.cpp only.
+// The sum of taps in lanes: few taps by the lines of samples that they share (TapLineStretches.inl); others in chunks
+// of columns whose source rows stay in the cache, row by row, channel by channel, four vectors side by side. Included
+// by TapSum_*.cpp only.
 #pragma once
 
-#include "Native/TapLines.inl"
+#include "Native/TapLineStretches.inl"
 #include "Native/TapSumColumns.inl"
 #include "Native/TapSumStores.inl"
 
@@ -313,11 +313,25 @@ private:
 			const FInt Fixed = Places - 128;
 			const FInt Offsets = ((Fixed >> 8) - Rows.FirstColumn) * 4;
 			const FFloat Weight = __builtin_convertvector(Fixed & 255, FFloat) * Broadcast<float, N>(1.0f / 256);
+			// A picture that is enlarged: all in one vector of texels.
+			const FInt Beside = (Fixed >> 8) - (Fixed[0] >> 8);
+			const bool bNear = FOps::bHasPermute && !AnyLane(TMask<N>((Beside < 0) | (Beside > N - 2)));
 			for (int32_t c = 0; c < Channels; ++c)
 			{
 				const auto* const Base = reinterpret_cast<const uint8_t*>(Texels + c * Rows.Stride);
-				const FFloat A = FFloat(FOps::Gather(Base, Offsets));
-				const FFloat B = FFloat(FOps::Gather(Base, Offsets + 4));
+				FFloat A;
+				FFloat B;
+				if (bNear)
+				{
+					const FFloat Both = LoadRaw<FFloat>(Base + Offsets[0]);
+					A = FOps::Permute(Both, Beside);
+					B = FOps::Permute(Both, Beside + 1);
+				}
+				else
+				{
+					A = FFloat(FOps::Gather(Base, Offsets));
+					B = FFloat(FOps::Gather(Base, Offsets + 4));
+				}
 				const FFloat Mixture = MixCarefully<N>(A, B, Weight);
 				StoreRaw(Out + c * Pitch + X, Weight == 0.0f ? A : Mixture);
 			}

@@ -123,7 +123,8 @@ TEST(TapSum, DownsampleHasTheShadersBits)
 	}
 }
 
-// Several tiles and several chunks of one: most of their rows are read where they lie in the texture.
+// Several tiles and several chunks of one: most of their rows are read where they lie in the texture. An odd width is
+// halved in stretches, whose weights drift.
 TEST(TapSum, WidePicturesHaveTheShadersBits)
 {
 	for (const EPixelFormat Format : {PF_A32B32G32R32F, PF_FloatRGBA, PF_R32_FLOAT, PF_G16R16, PF_FloatR11G11B10})
@@ -136,6 +137,7 @@ TEST(TapSum, WidePicturesHaveTheShadersBits)
 		ExpectSameBits([&] { return BlurByPyramid(Place); }, "pyramid, " + What);
 		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::Low, false); }, "low, " + What);
 		ExpectSameBits([&] { return Halve(Place, EDownsampleQuality::High, true); }, "high, " + What);
+		ExpectSameBits([&] { return Blur(Place, {.bAdditive = true}); }, "Gaussian on half the size, " + What);
 	}
 }
 

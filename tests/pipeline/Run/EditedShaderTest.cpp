@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ContentHash.h"
+#include "DispatchReuse.h"
 #include "rdg/graph/Graph/GraphTestBuilder.h"
 #include "Run/Run.h"
 #include "SameBits.h"
@@ -106,9 +107,10 @@ private:
 	const fs::path Folder = fs::path(testing::TempDir()) / ("drydock_edited_" + std::to_string(getpid()));
 };
 
-FRunResult RunShipped(const std::string& Config)
+FRunResult RunShipped(const std::string& Config, const std::shared_ptr<FReuseCache>& Cache = nullptr)
 {
 	FRunOptions Options;
+	Options.ReuseCache = Cache;
 	Options.ConfigFile = Root + "configs/" + Config + ".json";
 	return RunConfig(Options);
 }
@@ -203,6 +205,7 @@ TEST(EditedShader, IsSeenInTheFrame)
 {
 	FCopiedShaders Copy;
 	std::map<std::string, FRunResult> Plain;
+	const auto Cache = std::make_shared<FReuseCache>(); // of unedited and edited frames
 	for (const FEdit& Edit : ReadEdits())
 	{
 		SCOPED_TRACE(Edit.File);
@@ -216,12 +219,13 @@ TEST(EditedShader, IsSeenInTheFrame)
 		{
 			if (!Plain.contains(Edit.Config))
 			{
-				Plain.emplace(Edit.Config, RunShipped(Edit.Config));
+				Plain.emplace(Edit.Config, RunShipped(Edit.Config, Cache));
 			}
 			const FRunResult& Before = Plain.at(Edit.Config);
 			ASSERT_TRUE(Copy.Replace(Edit.File, Edit.From, Edit.To));
 			const FRunResult After = RunShipped(Edit.Config);
 			EXPECT_FALSE(SameBits::AreSameBits(Before.Final, After.Final));
+			EXPECT_TRUE(SameBits::AreSameBits(After.Final, RunShipped(Edit.Config, Cache).Final));
 			EXPECT_FALSE(HasNote(Before, Edit.File));
 			EXPECT_FALSE(HasNativePass(After, Edit.File));
 			EXPECT_EQ(HasNativePass(Before, Edit.File), HasNote(After, Edit.File));

@@ -45,7 +45,7 @@ FSharedPictures RunShared(const std::string& ConfigFile, const FEquivalenceRun& 
 {
 	FRunOptions Options;
 	Options.ConfigFile = ConfigFile;
-	const FRunResult Result = RunConfig(MakeEquivalentRun(Options, Run, View));
+	const FRunResult Result = RunEquivalent(Options, Run, View);
 	if (Run.Layout == EViewLayout::AsConfigured)
 	{
 		return {Result.SceneLinear, Result.Final};
