@@ -80,7 +80,10 @@ function makeReport(frame, state) {
 		timing: { threads: 2, cpu: "mock", passes: frame.passes, startMs: 0, setupMs: 1, loadMs: 1, compileMs: 1, executeMs: 5, reportMs: 0, saveMs: 0, wallMs: 8 },
 		graph: { name: "mock", passes, resources: [resource(0, "SceneColor", true), resource(1, "BloomSetup"), resource(2, "BloomBlur"), resource(3, "Final"), ...["Flare", "Ghosts", "Halo", "Exposure"].map((name, i) => resource(4 + i, name))], memory: { transientPeakBytes: 4147200 * 5, withoutAliasingBytes: 4147200 * 6 } },
 		passes: passes.map(({ index }) => ({ index, shaderFile: "/Engine/Private/Mock.usf", parameters: [{ name: "Scale", type: "float", value: "1" }] })),
-		settings: [], nonFinite: { passes: [] }, pictures: [], thumbnailsLeftOut: 0,
+		settings: [], nonFinite: { passes: [] }, pictures: [["BloomSetup", 1], ["BloomBlur", 2]].map(([resource, of]) => ({
+			id: `thumbnail.${of}`, role: "thumbnail", label: resource, pass: of, resource, mip: 0, extent: [1, 1], corner: [0, 0], size: [1, 1], channels: ["R", "G", "B"], encoding: "compressed",
+			png: "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==",
+		})), thumbnailsLeftOut: 0,
 	};
 }
 

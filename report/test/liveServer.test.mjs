@@ -87,13 +87,13 @@ test("a shader is edited into an error and back: the mistake stands above the pi
 		await page.waitForTimeout(1500);
 		const [before, first] = [await bytes(), await revision()];
 		writeFileSync(shader, good.replace("Tonemap(SvPosition.xy);", "Tonemap(SvPosition.xy) * ;"));
-		await page.waitForSelector("#faults p", { timeout: 60000 });
+		await page.waitForSelector("#faults div", { timeout: 60000 });
 		const said = await page.textContent("#faults");
 		assert.match(said, /DD\d{4}/);
 		assert.ok(said.includes(`PostProcessTonemap.usf:${line}`), said);
 		assert.equal(await bytes(), before);
 		writeFileSync(shader, good.replace("Tonemap(SvPosition.xy);", "Tonemap(SvPosition.xy).bgra;"));
-		await until(page, () => !document.querySelector("#faults p"));
+		await until(page, () => !document.querySelector("#faults div"));
 		await until(page, (first) => document.documentElement.dataset.revision !== first, first);
 		await page.waitForTimeout(500);
 		assert.notEqual(await bytes(), before);
@@ -172,10 +172,10 @@ test("a pass, its texture, a texel's story and its trace, a price", async () => 
 		await page.click('#passes .link:has-text("ToonBloomMask")');
 		await page.waitForSelector("#pass-detail");
 		await page.click("#pass-detail .writes .link");
-		await page.click("#texture-detail .look, #texture-detail .fetch");
+		await page.click("#texture-detail .look");
 		await until(page, () => /^pass-\d+-ToonBloom/.test(document.querySelector("#picture-a").value));
 		await page.selectOption("#picture-a", "now");
-		await page.click("#probe-mode");
+		await page.click("#probe-fold summary");
 		await page.click("#canvas", { position: { x: 300, y: 200 } });
 		await until(page, () => /Tonemap.*SV_Target0/s.test(document.querySelector("#probe-text pre")?.textContent));
 		await page.click("#trace");

@@ -2,6 +2,7 @@
 import { shortName } from "../data";
 import { el, table } from "../dom";
 import { count, ms } from "../format";
+import { effectColumns } from "../sections/effects";
 import { Frame } from "./data";
 
 export class PassesPanel {
@@ -28,10 +29,6 @@ export class PassesPanel {
 			{ title: "Time", number: true, cell: (row) => (row.reused ? el("span", { class: "quiet" }, "reused") : ms(row.ms)) },
 			{ title: "", wide: true, cell: (row) => el("span", { class: "bar", style: `--share:${row.reused ? 0 : row.ms / longest}` }) },
 		], frame.passes, (row) => ({ class: row.reused ? "off" : "" })));
-		this.effects.replaceChildren(table([
-			{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", role: "img", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
-			{ title: "Effect", cell: (row) => row.name },
-			{ title: "Why", cell: (row) => row.reason },
-		], [...frame.effects].sort((a, b) => Number(b.active) - Number(a.active)), (row) => ({ class: row.active ? "" : "off" })));
+		this.effects.replaceChildren(table(effectColumns, [...frame.effects].sort((a, b) => Number(b.active) - Number(a.active)), (row) => ({ class: row.active ? "" : "off" })));
 	}
 }

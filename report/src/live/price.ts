@@ -1,4 +1,4 @@
-// What each state that was tried costs: a dot of milliseconds against error, measured when the hand rests.
+// Shows the cost of each state that was tried: a dot of milliseconds against error, measured when the hand rests.
 import { drawPanel, makeAxis } from "../chart";
 import { el, table } from "../dom";
 import { ms, number } from "../format";

@@ -3,9 +3,9 @@ import { LedgerEntry } from "../data";
 import { el } from "../dom";
 import { count, value as show } from "../format";
 import { story } from "../sections/settings";
-import { Control, makeControl } from "./control";
-import { Edit, Json, LiveSetting, Message, State, joinMessages, pointTo } from "./data";
-import { get, getText, post } from "./server";
+import { Control, makeControl, makeFault } from "./control";
+import { Edit, Json, LiveSetting, Message, State, pointTo } from "./data";
+import { Refusal, get, getText, post } from "./server";
 
 export type SendEdits = (edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at?: number) => void;
 
@@ -131,17 +131,13 @@ export class SettingsPanel {
 		const { name } = first;
 		let setting = first;
 		const id = "set-" + name;
-		const fault = el("p", { class: "refused", role: "alert" });
-		const refuse = (message: string) => {
-			fault.textContent = message;
-			fault.hidden = !message;
-		};
+		const fault = makeFault();
 		const send = (edit: (pointer: string) => Edit, drag?: string, at?: number) => {
-			refuse("");
-			this.sendEdits([edit(pointTo(this.volume, name))], (messages) => refuse(joinMessages(messages)), drag, at);
+			fault.say("");
+			this.sendEdits([edit(pointTo(this.volume, name))], fault.refused, drag, at);
 		};
 		const control = makeControl({
-			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse,
+			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse: fault.say,
 			guess: typeof first.default === "number" ? first.default : undefined,
 			send: (value, drag, at) => send((set) => ({ set, value }), drag, at),
 		});
@@ -159,16 +155,15 @@ export class SettingsPanel {
 		} });
 		const why = el("div", { class: "why-value", hidden: true });
 		const reset = el("button", { type: "button", class: "small", "aria-label": `Reset ${first.display || name}`, "data-tip": "As it was at the start", onclick: () => {
-			refuse("");
-			void post("reset", { pointer: pointTo(this.volume, name) }).catch((refusal: Error) => refuse(refusal.message));
+			fault.say("");
+			void post("reset", { pointer: pointTo(this.volume, name) }).catch((refusal: Refusal) => fault.refused(refusal.messages));
 		} }, "↺");
 		const unread = el("p", { class: "unread-note" });
 		const note = el("span", { class: "quiet note-default" });
 		const element = el("div", { class: "setting", "data-setting": name },
 			el("div", { class: "setting-head" }, tick, el("label", { for: id, "data-tip": `${name}: ${first.doc}` }, first.display || name),
 				first.plugin ? el("span", { class: "tag", "data-tip": "A plugin added this setting" }, first.plugin) : null, note, blended, reset),
-			control.element, fault, unread, why);
-		fault.hidden = true;
+			control.element, fault.element, unread, why);
 		const update = (now: LiveSetting, own: Json | undefined) => {
 			const same = JSON.stringify(now.value) === JSON.stringify(now.default);
 			setting = row.setting = now;
