@@ -90,7 +90,6 @@ export interface State {
 	showFlags: Variable[];
 	pins: { pin: number; name: string; revision: number }[];
 	dots: Dot[];
-	files: string[];
 	frame: Frame | null;
 	fault: { messages: Message[] } | null;
 }

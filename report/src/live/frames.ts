@@ -38,11 +38,8 @@ export class Frames {
 	/** A frame was computed: its picture is drawn, or that of a newer one. */
 	async show(revision: number): Promise<void> {
 		this.wanted = Math.max(this.wanted, revision);
-		if (this.loading) {
-			return;
-		}
-		this.loading = true;
-		while (this.shown < this.wanted) {
+		for (; !this.loading && this.shown < this.wanted; this.loading = false) {
+			this.loading = true;
 			const wanted = this.wanted;
 			try {
 				const pixels = await getPicture(wanted, "kind=final8").catch(() => getPicture("now", "kind=final8"));
@@ -55,7 +52,6 @@ export class Frames {
 				this.failed((refusal as Error).message);
 			}
 		}
-		this.loading = false;
 	}
 
 	/** The hand rests: the numbers of what is shown. */

@@ -87,7 +87,7 @@ class LivePage {
 				this.showMessages(this.faults, messages);
 				this.later();
 			},
-			bye: () => this.end(),
+			bye: () => this.say("drydock live has ended. Start it again, and open the address that it prints.", "note"),
 			gone: () => this.say("drydock live does not answer. The last picture stays, and the page tries again."),
 			back: () => {
 				this.showMessages(this.notice, []);
@@ -213,9 +213,8 @@ class LivePage {
 
 	private update(state: State): void {
 		this.state = state;
-		const changed = state.changed ? " •" : "";
-		this.title.replaceChildren(state.name, el("span", { class: "quiet", "data-tip": "Not saved" }, changed));
-		document.title = `${changed ? "• " : ""}${state.name} · drydock live`;
+		this.title.replaceChildren(state.name, el("span", { class: "quiet", "data-tip": "Differs from the start" }, state.changed ? " •" : ""));
+		document.title = `${state.changed ? "• " : ""}${state.name} · drydock live`;
 		this.buttons.undo.disabled = !state.canUndo;
 		this.buttons.redo.disabled = !state.canRedo;
 		this.buttons.reset.disabled = !state.changed && !state.canUndo;
@@ -226,8 +225,9 @@ class LivePage {
 		}
 		this.price.update(state);
 		this.frames.update(state);
+		const { panel } = this.frames;
 		this.pins.replaceChildren(...state.pins.map(({ pin, name }) => el("span", { class: "pin" },
-			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void this.compare(`pin-${pin}`) }, name || `pin ${pin}`),
+			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void panel.choose(panel.selectedA, `pin-${pin}`).then(() => panel.setMode("slider")) }, name || `pin ${pin}`),
 			el("button", { type: "button", "aria-label": `Remove ${name || `pin ${pin}`}`, onclick: () => void this.try(post(`pin/${pin}`, undefined, "DELETE")) }, "×"))));
 		if (state.frame) {
 			this.passes.update(state.frame);
@@ -241,11 +241,6 @@ class LivePage {
 			}
 		}
 		this.showMessages(this.faults, state.fault?.messages ?? []);
-	}
-
-	private async compare(id: string): Promise<void> {
-		await this.frames.panel.choose(this.frames.panel.selectedA, id);
-		this.frames.panel.setMode("slider");
 	}
 
 	private async refreshGraph(): Promise<void> {
@@ -288,11 +283,6 @@ class LivePage {
 		const { text } = await get<{ text: string }>((trace ? "trace?" : "probe?") + place + (pass ? `&pass=${encodeURIComponent(pass.name)}` : "")).catch((refusal: Error) => ({ text: refusal.message }));
 		this.probeText.replaceChildren(el("h3", {}, title), el("pre", { tabindex: 0 }, text.trim()),
 			trace ? "" : el("button", { type: "button", id: "trace", onclick: () => void this.probe(x, y) }, "Line by line"));
-	}
-
-	private end(): void {
-		this.say("drydock live has ended. Start it again, and open the address that it prints.", "note");
-		document.documentElement.dataset.ended = "true";
 	}
 }
 

@@ -76,10 +76,8 @@ export function listen(listener: Listener): void {
 	};
 }
 
-type Refused = (messages: Message[]) => void;
-
 interface Waiting {
-	edits: Map<string, { edit: Edit; refused: Refused }>; // by place: the newest
+	edits: Map<string, { edit: Edit; refused: (messages: Message[]) => void }>; // by place: the newest
 	drag?: string;
 	at: number; // of the input, in performance.now()'s time
 }
@@ -100,7 +98,7 @@ export class Hand {
 		return !this.flying && !this.waiting;
 	}
 
-	edit(edits: Edit[], refused: Refused, drag?: string, at = performance.now()): void {
+	edit(edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at = performance.now()): void {
 		this.waiting ??= { edits: new Map(), drag, at };
 		Object.assign(this.waiting, { drag, at });
 		for (const edit of edits) {

@@ -3,7 +3,7 @@ import { LedgerEntry } from "../data";
 import { el } from "../dom";
 import { count, value as show } from "../format";
 import { story } from "../sections/settings";
-import { Control, makeControl, makeFault } from "./control";
+import { makeControl, makeFault } from "./control";
 import { Edit, Json, LiveSetting, Message, State, pointTo } from "./data";
 import { Refusal, get, getText, post } from "./server";
 
@@ -12,13 +12,7 @@ export type SendEdits = (edits: Edit[], refused: (messages: Message[]) => void, 
 interface Row {
 	setting: LiveSetting;
 	element: HTMLElement;
-	control: Control;
 	update: (setting: LiveSetting, own: Json | undefined) => void;
-}
-
-/** "BloomIntensity" becomes "bloomintensity bloom intensity", so that words find it. */
-function makeWords(setting: LiveSetting): string {
-	return [setting.name, setting.display, setting.category, setting.effect, setting.plugin].join(" ").toLowerCase();
 }
 
 export class SettingsPanel {
@@ -114,7 +108,8 @@ export class SettingsPanel {
 		for (const { element, rows } of this.groups) {
 			let shown = 0;
 			for (const row of rows) {
-				const text = words.length ? makeWords(row.setting) : "";
+				const { name, display, category, effect, plugin } = row.setting;
+				const text = words.length ? [name, display, category, effect, plugin].join(" ").toLowerCase() : "";
 				row.element.hidden = !words.every((word) => text.includes(word)) || (only && row.element.dataset.set !== "true");
 				shown += Number(!row.element.hidden);
 			}
@@ -180,7 +175,7 @@ export class SettingsPanel {
 			unread.hidden = !now.unread;
 			element.classList.toggle("pale", !!now.unread);
 		};
-		const row: Row = { setting, element, control, update };
+		const row: Row = { setting, element, update };
 		return row;
 	}
 }

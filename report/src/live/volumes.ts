@@ -91,15 +91,20 @@ class TopView {
 		this.origin[1] -= (height / scale - (high - low + 2 * room)) / 2;
 		const at = ([x, y]: number[]) => `${(x - this.origin[0]) * scale} ${(y - this.origin[1]) * scale}`;
 		this.weights.length = 0;
+		const follow = (event: PointerEvent) => {
+			const box = svg.getBoundingClientRect();
+			const cm = this.span / box.width; // of a pixel
+			this.to([this.origin[0] + (event.clientX - box.left) * cm, this.origin[1] + (event.clientY - box.top) * cm], event.timeStamp);
+		};
 		const svg: SVGSVGElement = el<SVGSVGElement>("svg", {
 			viewBox: `0 0 600 ${height}`, role: "group", "aria-label": "The volumes from above",
 			onpointerdown: (event: PointerEvent) => {
 				this.drag = startDrag();
 				svg.setPointerCapture(event.pointerId);
 				(this.camera as unknown as HTMLElement).focus({ preventScroll: true });
-				this.to(this.pointAt(svg, event, scale), event.timeStamp);
+				follow(event);
 			},
-			onpointermove: (event: PointerEvent) => this.drag && event.buttons && this.to(this.pointAt(svg, event, scale), event.timeStamp),
+			onpointermove: (event: PointerEvent) => this.drag && event.buttons && follow(event),
 			onpointerup: () => (this.drag = ""),
 			onpointercancel: () => (this.drag = ""),
 		});
@@ -121,12 +126,6 @@ class TopView {
 		const unit = 10 ** Math.floor(Math.log10(this.span / 3));
 		svg.append(el("path", { class: "ruler", d: `M10 ${height - 10}h${unit * scale}` }), el("text", { class: "tick", x: 10, y: height - 15 }, `${number(unit)} cm · X to the right, Y down`), this.camera);
 		this.element.replaceChildren(svg);
-	}
-
-	private pointAt(svg: SVGSVGElement, event: PointerEvent, scale: number): Point {
-		const box = svg.getBoundingClientRect();
-		const share = 600 / box.width / scale;
-		return [this.origin[0] + (event.clientX - box.left) * share, this.origin[1] + (event.clientY - box.top) * share];
 	}
 }
 
