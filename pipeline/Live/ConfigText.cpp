@@ -70,7 +70,7 @@ size_t SkipValue(const std::string& Text, size_t Begin)
 struct FItem
 {
 	std::string Key = {}; // of a member, in quotes
-	size_t Begin = 0; // of the key, or of the element
+	size_t Begin = 0;     // of the key, or of the element
 	size_t Value = 0;
 	size_t End = 0;
 	size_t Comma = std::string::npos; // behind it

@@ -51,7 +51,7 @@ std::string DescribeDifference(const FLiveSession& Session, const FFinalPostProc
 			Label += (Label.empty() ? "" : ", ") + std::string(Field.Name) + " " + Value;
 		}
 	}
-	return Count == 0     ? Session.GetHistory().GetText() == Session.GetHistory().GetStart() ? "start" : "other variables"
+	return Count == 0 ? Session.GetHistory().GetText() == Session.GetHistory().GetStart() ? "start" : "other variables"
 		   : Count > Most ? Label + " and " + std::to_string(Count - Most) + " more"
 						  : Label;
 }
@@ -136,22 +136,30 @@ std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pa
 	return MakeAnswer(Text, MakeTraceJson(Capture.GetTraces(), Request));
 }
 
-std::string MeasurePrice(FLiveSession& Session)
+std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsLate)
 {
 	constexpr int NumRuns = 5;
+	const auto CheckTime = [&]
+	{
+		if (IsLate())
+		{
+			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
+		}
+	};
 	const FStudy Study = FindStudy(Session);
 	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
 	FMeasured Measured = Subject->Run({}); // warms up
 	std::vector<double> Times;
 	for (int Run = 0; Run < NumRuns; ++Run)
 	{
+		CheckTime();
 		Times.push_back(Subject->Run({}).Milliseconds);
 	}
+	CheckTime();
 	std::ranges::sort(Times);
 	const FMeasured Exact = Subject->RunReference({});
-	FLiveDot Dot{.Revision = Session.GetHistory().GetRevision(),
-		.Milliseconds = Times[NumRuns / 2],
-		.Metric = Study.Metrics[0]};
+	FLiveDot Dot{
+		.Revision = Session.GetHistory().GetRevision(), .Milliseconds = Times[NumRuns / 2], .Metric = Study.Metrics[0]};
 	Dot.Error = GetMetric(CompareImages(Measured.Image, Exact.Image, {.Encoding = Measured.Encoding}), Dot.Metric);
 	Dot.Label = Session.GetFrame() != nullptr ? DescribeDifference(Session, Session.GetFrame()->Settings) : "";
 	FJsonWriter Writer;

@@ -22,6 +22,10 @@ struct FLiveOptions
 	std::string OutputFolder; // where configs may be saved, beside the config's own folder; empty: nowhere else
 	/** The messages of whatever was thrown. */
 	std::function<FError(const std::exception_ptr& Thrown)> Explain;
+	/** What ended the process that ran the session before; empty: nothing. The page is told until the next edit. */
+	std::string Crash = {};
+	/** Called when a frame of the state was well. */
+	std::function<void(const FEditHistory& History)> OnFrame = {};
 };
 
 /** A state that was kept. */
@@ -111,6 +115,7 @@ private:
 	std::optional<FFinalPostProcessSettings> StartSettings;
 	std::string FrameJson = "null";
 	std::string FaultJson = "null";
+	std::string CrashJson = "null";
 	std::vector<FLivePin> Pins;
 	int NumPins = 0;
 	std::vector<FLiveDot> Dots;
