@@ -64,7 +64,7 @@ test("at one to one the canvas holds the bytes that the server sent", async () =
 		await page.keyboard.press("1");
 		await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 		const { bytes, width, height } = mock.pictures.get("now");
-		assert.deepEqual(Uint8Array.from(await page.evaluate(readShown, [width, height])), bytes);
+		assert.equal(Buffer.compare(Buffer.from(await page.evaluate(readShown, [width, height]), "base64"), bytes), 0);
 	});
 });
 
@@ -205,11 +205,11 @@ test("the camera moves among the volumes by mouse and by arrow keys, and the wei
 		const { x, y, width, height } = await page.locator(".camera .body").boundingBox();
 		await page.mouse.move(x + width / 2, y + height / 2);
 		await page.mouse.down();
-		await page.mouse.move(x + width / 2 + 60, y + height / 2, { steps: 8 });
+		await page.mouse.move(x + width / 2 + 60, y + height / 2 + 40, { steps: 8 }); // off the path
 		await page.mouse.up();
 		await until(page, () => /camera inside.*acts 100 %/.test([...document.querySelectorAll(".volume-card")][1].textContent));
 		const value = edits(mock, "/view/location").at(-1).body.edits[0].value;
-		assert.ok(value[0] > 0 && value[2] === 150);
+		assert.ok(value[0] > 0 && value[2] === 145); // the path's height
 		await page.keyboard.press("Shift+ArrowLeft");
 		await page.waitForTimeout(300);
 		assert.ok(edits(mock, "/view/location").at(-1).body.edits[0].value[0] < value[0]);
@@ -228,16 +228,16 @@ test("variables that matter stand there, others are found", async () => {
 		const field = page.locator('[data-variable="r.DOF.Gather.RingCount"] .text-box');
 		await field.fill("many");
 		await field.press("Enter");
-		assert.match(await page.textContent("#variables"), /"many" is not a number/);
+		await until(page, () => /must be a whole number, but is "many"/.test(document.querySelector("#variables").textContent));
 		await field.fill("3");
 		await field.press("Enter");
 		await until(page, () => /default 5, set by config/.test(document.querySelector("#variables").textContent));
-		assert.deepEqual(edits(mock).map(({ body }) => body.edits[0]), [{ set: "/cvars/r.DOF.Gather.RingCount", value: 3 }]);
+		assert.deepEqual(edits(mock).map(({ body }) => body.edits[0]), ["many", 3].map((value) => ({ set: "/cvars/r.DOF.Gather.RingCount", value })));
 		await page.fill("#variables-search", "bloom");
 		await page.uncheck("#showFlags-Bloom");
 		await page.waitForTimeout(200);
 		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/showFlags/Bloom", value: false }]);
-	});
+	}, { allow: /422/ });
 });
 
 test("pins and the start are compared with now; the difference of one state with itself is nothing", async () => {

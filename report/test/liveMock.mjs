@@ -179,6 +179,9 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 				if (edit.set?.endsWith("Intensity") && typeof edit.value !== "number") {
 					return refuse(422, `${edit.set} must be a number`);
 				}
+				if (edit.set?.startsWith("/cvars/") && typeof edit.value !== "number") {
+					return refuse(422, `${edit.set.slice(7)} must be a whole number, but is "${edit.value}"`);
+				}
 				if (edit.set?.endsWith("BloomThreshold") && edit.value > 100) {
 					return refuse(422, "BloomThreshold is too large for the mock");
 				}

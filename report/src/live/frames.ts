@@ -16,6 +16,7 @@ export class Frames {
 	shown = -1; // revision
 	private now: Promise<Pixels>;
 	private wanted = -1;
+	private refined = -1;
 	private loading = false;
 	private readonly kept = new Map<string, Promise<Pixels>>();
 	private passes: PictureData[] = [];
@@ -57,6 +58,10 @@ export class Frames {
 	/** The hand rests: the numbers of what is shown. */
 	async refine(): Promise<void> {
 		const revision = this.shown;
+		if (revision === this.refined) {
+			return;
+		}
+		this.refined = revision;
 		const pixels = await getBoth(revision).catch(() => null);
 		if (pixels && revision === this.shown) {
 			this.now = Promise.resolve(pixels);

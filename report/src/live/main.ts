@@ -1,6 +1,6 @@
 // Builds the page of `drydock live`: the picture at the left, all that can be changed at the right, the graph below.
 import { Report } from "../data";
-import { el, installTips, makeTheme } from "../dom";
+import { el, installTips, makeTheme, refill } from "../dom";
 import { count, ms } from "../format";
 import { GraphPanel } from "../graph/panel";
 import { listenKeys, makeKeys } from "../sections/about";
@@ -33,7 +33,9 @@ class LivePage {
 	private readonly status = el("p", { class: "live-status", id: "status" });
 	private readonly latency = el("span", { id: "latency" });
 	private readonly figures = el("span", { id: "figures" });
-	private readonly notes = el("details", { class: "frame-notes", hidden: true });
+	private readonly notesTitle = el("summary", {});
+	private readonly notesBox = el("div", { class: "faults" });
+	private readonly notes = el("details", { class: "frame-notes", hidden: true }, this.notesTitle, this.notesBox);
 	private readonly pins = el("span", { class: "pins" });
 	private readonly probeText = el("div", { class: "probe-text", id: "probe-text" }, el("p", { class: "quiet" }, "Click a texel, or mark one with shift and arrows and press Enter; once more: line by line."));
 	private readonly probeFold = el<HTMLDetailsElement>("details", { id: "probe-fold" }, el("summary", {}, "How a texel came about"), this.probeText);
@@ -65,7 +67,7 @@ class LivePage {
 		this.variables = new VariablesPanel(send);
 		this.passes = new PassesPanel((index) => void this.openPass(index));
 		this.tabs = makeTabs([["settings", "Settings", this.settings.element], ["volumes", "Volumes", this.volumes.element], ["variables", "Variables", this.variables.element],
-			["passes", "Passes", this.passes.element], ["price", "Price", this.price.element]], () => this.rest());
+			["passes", "Passes", this.passes.element], ["price", "Price", this.price.element]]);
 		const action = (id: "undo" | "redo" | "reset", label: string, tip: string) => el<HTMLButtonElement>("button", { type: "button", id, "data-tip": tip, onclick: () => this.act(id) }, label);
 		this.buttons = { undo: action("undo", "Undo", "One step back (Ctrl+Z)"), redo: action("redo", "Redo", "One step forward (Ctrl+Shift+Z)"), reset: action("reset", "Reset all", "Everything as it was at the start; can be undone") };
 		this.graphFold = el<HTMLDetailsElement>("details", { class: "graph-fold", id: "graph-fold", ontoggle: () => void this.refreshGraph() }, el("summary", {}, "The frame's graph: why each pass runs or not"));
@@ -149,7 +151,7 @@ class LivePage {
 	private showMessages(box: HTMLElement, messages: Message[]): void {
 		const serious = (message: Message) => Number(message.severity === "error");
 		box.tabIndex = messages.length ? 0 : -1; // it may scroll
-		box.replaceChildren(...messages.toSorted((a, b) => serious(b) - serious(a)).map(({ severity, code, message, where, file, line }) => {
+		refill(box, messages, () => messages.toSorted((a, b) => serious(b) - serious(a)).map(({ severity, code, message, where, file, line }) => {
 			const [said, ...source] = message.split("\n");
 			return el("div", { class: severity === "error" ? "bad" : severity },
 				el("code", {}, [file ? file + (line && line > 0 ? `:${line}` : "") : "", where].filter(Boolean).join(" at ")), " ", code ? el("strong", {}, code + " ") : null, said,
@@ -226,16 +228,15 @@ class LivePage {
 		this.price.update(state);
 		this.frames.update(state);
 		const { panel } = this.frames;
-		this.pins.replaceChildren(...state.pins.map(({ pin, name }) => el("span", { class: "pin" },
+		refill(this.pins, state.pins, () => state.pins.map(({ pin, name }) => el("span", { class: "pin" },
 			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void panel.choose(panel.selectedA, `pin-${pin}`).then(() => panel.setMode("slider")) }, name || `pin ${pin}`),
 			el("button", { type: "button", "aria-label": `Remove ${name || `pin ${pin}`}`, onclick: () => void this.try(post(`pin/${pin}`, undefined, "DELETE")) }, "×"))));
 		if (state.frame) {
 			this.passes.update(state.frame);
 			const { messages } = state.frame;
 			this.notes.hidden = !messages.length;
-			const box = el("div", { class: "faults" });
-			this.showMessages(box, messages);
-			this.notes.replaceChildren(el("summary", {}, count(messages.length, "note") + " on this frame"), box);
+			this.notesTitle.textContent = count(messages.length, "note") + " on this frame";
+			this.showMessages(this.notesBox, messages);
 			if (state.frame.revision > this.frames.shown) {
 				void this.frames.show(state.frame.revision);
 			}

@@ -1,5 +1,5 @@
 // Console variables and show flags: those that matter for the config first, the others by search.
-import { el } from "../dom";
+import { el, refill } from "../dom";
 import { count } from "../format";
 import { Control, makeControl, makeFault } from "./control";
 import { State, Variable, escapeKey } from "./data";
@@ -41,10 +41,7 @@ export class VariablesPanel {
 				return row.element;
 			});
 			sum += rows.length;
-			const box = this.lists[key];
-			if (rows.length !== box.children.length || rows.some((row, i) => row !== box.children[i])) {
-				box.replaceChildren(...(rows.length ? rows : [el("p", { class: "quiet" }, wanted ? "Nothing has this name." : none)]));
-			}
+			refill(this.lists[key], [rows.map((row) => row.dataset.variable), !wanted], () => (rows.length ? rows : [el("p", { class: "quiet" }, wanted ? "Nothing has this name." : none)]));
 		}
 		this.found.textContent = `${sum} of ${count(this.state.variables.length + this.state.showFlags.length, "name")}`;
 	}
@@ -52,16 +49,12 @@ export class VariablesPanel {
 	private makeRow(key: "cvars" | "showFlags", id: string, first: Variable): { element: HTMLElement; update: (variable: Variable) => void } {
 		const fault = makeFault();
 		const pointer = `/${key}/${escapeKey(first.name)}`;
-		const numeric = key === "cvars" && /^-?[\d.]+$/.test(String(first.value));
 		const read = ({ value }: Variable) => (/^(true|false)$/.test(String(value)) ? String(value) === "true" : String(value)); // a switch, or text
 		const control: Control = makeControl({
 			id, label: first.name, type: "text", value: read(first), refuse: fault.say,
 			send: (now) => {
-				const wrong = numeric && !Number.isFinite(Number(now ?? NaN));
-				fault.say(wrong ? `"${now ?? ""}" is not a number.` : "");
-				if (!wrong) {
-					this.sendEdits([{ set: pointer, value: numeric ? Number(now) : now }], fault.refused);
-				}
+				fault.say("");
+				this.sendEdits([{ set: pointer, value: typeof now === "string" && Number.isFinite(Number(now)) ? Number(now) : now }], fault.refused);
 			},
 		});
 		const note = el("span", { class: "quiet note-default" });

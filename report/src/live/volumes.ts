@@ -1,7 +1,7 @@
 // The volumes: a list of what they say and how they act, and a view from above in which the camera can be moved.
-import { el } from "../dom";
+import { el, refill } from "../dom";
 import { number, percent } from "../format";
-import { Control, makeControl, makeFault, startDrag } from "./control";
+import { Control, ControlOptions, makeControl, makeFault, startDrag } from "./control";
 import { Json, LiveVolume, State } from "./data";
 import { SendEdits } from "./settings";
 
@@ -29,17 +29,17 @@ function outline(bounds: { [key: string]: any }): Point[] {
 /** The camera's place in front of the volumes, from above: X to the right, Y down. */
 class TopView {
 	readonly element = el("div", { class: "top-view" });
-	private key = "";
 	private readonly camera: SVGElement;
 	private readonly weights: SVGElement[] = [];
 	private location = [0, 0, 0];
+	private path: number[][] = []; // of a sequence
 	private span = 1; // cm over the width
 	private origin: Point = [0, 0];
 	private drag = "";
 
 	constructor(private readonly move: (location: number[], drag?: string, at?: number) => void) {
 		this.camera = el<SVGElement>("g", {
-			class: "camera", tabindex: 0, role: "application", "data-tip": "Drag the camera, or move it with the arrow keys; with shift ten times as far",
+			class: "camera", tabindex: 0, role: "application", "data-tip": "Drag the camera, also along the dotted path, or move it with the arrow keys; with shift ten times as far",
 			onkeydown: (event: KeyboardEvent) => {
 				const steps: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 				const step = steps[event.key];
@@ -47,7 +47,7 @@ class TopView {
 					event.preventDefault();
 					this.drag ||= startDrag();
 					const size = 10 ** Math.floor(Math.log10(this.span / 30)) * (event.shiftKey ? 10 : 1);
-					this.to([this.location[0] + step[0] * size, this.location[1] + step[1] * size], event.timeStamp);
+					this.to([this.location[0] + step[0] * size, this.location[1] + step[1] * size, this.location[2]], event.timeStamp);
 				}
 			},
 			onkeyup: () => (this.drag = ""),
@@ -57,11 +57,8 @@ class TopView {
 	update(state: State): void {
 		const { volumes, view } = state;
 		this.location = this.drag ? this.location : [...view.location];
-		const key = JSON.stringify([volumes.map(({ bounds, blendRadius, name, unbound }) => [bounds, blendRadius, name, unbound]), view.path]);
-		if (key !== this.key) {
-			this.key = key;
-			this.draw(state);
-		}
+		this.path = view.path ?? [];
+		refill(this.element, [volumes.map(({ bounds, blendRadius, name, unbound }) => [bounds, blendRadius, name, unbound]), view.path], () => [this.draw(state)]);
 		volumes.forEach((volume, i) => this.weights[i]?.setAttribute("fill-opacity", String(0.06 + 0.45 * volume.weight)));
 		this.place();
 	}
@@ -72,15 +69,29 @@ class TopView {
 		this.camera.setAttribute("aria-label", `Camera at ${number(Math.round(x))}, ${number(Math.round(y))} cm. Arrow keys move it`);
 	}
 
-	private to(point: Point, at: number): void {
-		this.location = [...point.map((value) => Number(value.toFixed(1))), this.location[2] ?? 0];
+	/** A place at the recorded path is on it, at its height. */
+	private snap([x, y]: Point): number[] {
+		for (const [i, to] of this.path.entries()) {
+			const from = this.path[Math.max(i - 1, 0)];
+			const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+			const share = Math.min(Math.max(((x - from[0]) * dx + (y - from[1]) * dy) / (dx * dx + dy * dy || 1), 0), 1);
+			const at = from.map((value, axis) => value + share * (to[axis] - value));
+			if (Math.hypot(at[0] - x, at[1] - y) < this.span / 60) {
+				return at;
+			}
+		}
+		return [x, y, this.location[2]];
+	}
+
+	private to(location: number[], at: number): void {
+		this.location = location.map((value) => Number(value.toFixed(1)));
 		this.place();
 		this.move(this.location, this.drag, at);
 	}
 
-	private draw({ volumes, view }: State): void {
+	private draw({ volumes, view }: State): SVGSVGElement {
 		const shapes = volumes.map((volume) => (volume.unbound || !volume.bounds ? [] : outline(volume.bounds)));
-		const all = [...shapes.flat(), ...(view.path ?? []), view.location];
+		const all = [...shapes.flat(), ...this.path, view.location];
 		const ends = (axis: number) => [Math.min(...all.map((point) => point[axis])), Math.max(...all.map((point) => point[axis]))];
 		const [[left, right], [low, high]] = [ends(0), ends(1)];
 		const room = 60 + Math.max(0, ...volumes.map((volume, i) => (shapes[i].length ? volume.blendRadius : 0)));
@@ -94,7 +105,7 @@ class TopView {
 		const follow = (event: PointerEvent) => {
 			const box = svg.getBoundingClientRect();
 			const cm = this.span / box.width; // of a pixel
-			this.to([this.origin[0] + (event.clientX - box.left) * cm, this.origin[1] + (event.clientY - box.top) * cm], event.timeStamp);
+			this.to(this.snap([this.origin[0] + (event.clientX - box.left) * cm, this.origin[1] + (event.clientY - box.top) * cm]), event.timeStamp);
 		};
 		const svg: SVGSVGElement = el<SVGSVGElement>("svg", {
 			viewBox: `0 0 600 ${height}`, role: "group", "aria-label": "The volumes from above",
@@ -119,15 +130,21 @@ class TopView {
 					this.weights[i], el("text", { x: x + 8, y: y + 18 }, volume.name)));
 			}
 		});
-		const path = view.path ?? [];
-		if (path.length) {
-			svg.append(el("path", { class: "walked", d: "M" + path.map(at).join("L") }), ...path.map((point) => el("circle", { class: "step", transform: `translate(${at(point)})`, r: 2.5 })));
+		if (this.path.length) {
+			svg.append(el("path", { class: "walked", d: "M" + this.path.map(at).join("L") }), ...this.path.map((point) => el("circle", { class: "step", transform: `translate(${at(point)})`, r: 2.5 })));
 		}
 		const unit = 10 ** Math.floor(Math.log10(this.span / 3));
 		svg.append(el("path", { class: "ruler", d: `M10 ${height - 10}h${unit * scale}` }), el("text", { class: "tick", x: 10, y: height - 15 }, `${number(unit)} cm · X to the right, Y down`), this.camera);
-		this.element.replaceChildren(svg);
+		return svg;
 	}
 }
+
+const parts: { field: "enabled" | "unbound" | "priority" | "blendWeight" | "blendRadius"; key: string; label: string; unit: string; range?: ControlOptions["range"] }[] = [
+	{ field: "enabled", key: "bEnabled", label: "Enabled", unit: "" }, { field: "unbound", key: "bUnbound", label: "Unbound", unit: "" },
+	{ field: "priority", key: "Priority", label: "Priority", unit: "", range: { clampMin: null, clampMax: null, uiMin: -10, uiMax: 10 } },
+	{ field: "blendWeight", key: "BlendWeight", label: "Weight", unit: "", range: { clampMin: 0, clampMax: 1, uiMin: 0, uiMax: 1 } },
+	{ field: "blendRadius", key: "BlendRadius", label: "Blend radius", unit: "cm", range: { clampMin: 0, clampMax: null, uiMin: 0, uiMax: null } },
+];
 
 interface Card {
 	element: HTMLElement;
@@ -141,7 +158,6 @@ export class VolumesPanel {
 	private readonly place: Control;
 	private readonly list = el("div", { class: "volumes" });
 	private cards: Card[] = [];
-	private names = "";
 
 	constructor(private readonly sendEdits: SendEdits, private readonly editSettings: (volume: number) => void) {
 		const move = (location: number[], drag?: string, at?: number) => this.send("/view/location", location, drag, at);
@@ -156,12 +172,10 @@ export class VolumesPanel {
 		const { volumes } = state;
 		this.place.show(state.view.location.map((value) => Number(value.toFixed(2))));
 		this.top.update(state);
-		const names = JSON.stringify(volumes.map(({ name }) => name));
-		if (names !== this.names) {
-			this.names = names;
+		refill(this.list, volumes.map(({ name }) => name), () => {
 			this.cards = volumes.map((volume, i) => this.makeCard(volume, i));
-			this.list.replaceChildren(...(volumes.length ? this.cards.map((card) => card.element) : [el("p", { class: "quiet" }, "The config has no volumes.")]));
-		}
+			return volumes.length ? this.cards.map((card) => card.element) : [el("p", { class: "quiet" }, "The config has no volumes.")];
+		});
 		volumes.forEach((volume, i) => this.cards[i].update(volume));
 	}
 
@@ -171,29 +185,19 @@ export class VolumesPanel {
 	}
 
 	private makeCard(first: LiveVolume, index: number): Card {
-		const part = (key: string, label: string, unit: string, value: Json, range?: [number | null, number | null, number, number]) => {
-			const control = makeControl({
-				id: `volume-${index}-${key}`, label: `${label} of ${first.name}`, type: "float", value,
-				range: range && { clampMin: range[0], clampMax: range[1], uiMin: range[2], uiMax: range[3] },
-				send: (now, drag, at) => this.send(`/volumes/${index}/${key}`, now, drag, at), refuse: this.fault.say,
-			});
-			return { control, element: el("div", { class: "volume-part" }, el("label", { for: `volume-${index}-${key}` }, label, unit ? el("span", { class: "quiet" }, " " + unit) : null), control.element) };
-		};
-		const parts = {
-			bEnabled: part("bEnabled", "Enabled", "", first.enabled), bUnbound: part("bUnbound", "Unbound", "", first.unbound),
-			Priority: part("Priority", "Priority", "", first.priority, [null, null, -10, 10]), BlendWeight: part("BlendWeight", "Weight", "", first.blendWeight, [0, 1, 0, 1]),
-			BlendRadius: part("BlendRadius", "Blend radius", "cm", first.blendRadius, [0, null, 0, Math.max(500, 2 * first.blendRadius)]),
-		};
+		const controls = parts.map(({ field, key, label, unit, range }) => makeControl({
+			id: `volume-${index}-${key}`, label: `${label} of ${first.name}` + (unit && `, ${unit}`), type: "float", value: first[field], range, guess: first.blendRadius,
+			send: (now, drag, at) => this.send(`/volumes/${index}/${key}`, now, drag, at), refuse: this.fault.say,
+		}));
 		const acts = el("span", { class: "weight" });
 		const why = el("span", { class: "quiet" });
 		return {
 			element: el("div", { class: "volume-card" },
 				el("div", { class: "setting-head" }, el("i", { class: "c" + (index % colors) }), el("strong", {}, first.name || `volume ${index}`), why, acts,
 					el("button", { type: "button", class: "small", onclick: () => this.editSettings(index) }, "Its settings")),
-				Object.values(parts).map(({ element }) => element)),
+				parts.map(({ key, label, unit }, i) => el("div", { class: "volume-part" }, el("label", { for: `volume-${index}-${key}` }, label, el("span", { class: "quiet" }, " " + unit)), controls[i].element))),
 			update: (volume) => {
-				const values = { bEnabled: volume.enabled, bUnbound: volume.unbound, Priority: volume.priority, BlendWeight: volume.blendWeight, BlendRadius: volume.blendRadius };
-				Object.entries(values).forEach(([key, value]) => parts[key as keyof typeof parts].control.show(value));
+				parts.forEach(({ field }, i) => controls[i].show(volume[field]));
 				acts.textContent = volume.weight ? "acts " + percent(volume.weight) : "does not act";
 				acts.style.setProperty("--share", String(volume.weight));
 				why.textContent = volume.skipped || (volume.unbound ? "everywhere" : volume.distance === null ? "" : volume.distance === 0 ? "camera inside" : `${number(Number(volume.distance.toPrecision(4)))} cm away`);
