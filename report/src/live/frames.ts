@@ -33,6 +33,7 @@ export class Frames {
 	/** After the state's pins changed. */
 	update(state: State): void {
 		this.listStates(state);
+		[...this.kept.keys()].filter((id) => !this.states.some((one) => one.id === id)).forEach((id) => this.kept.delete(id)); // pins that went
 		this.panel.setList([...this.states, ...this.passes]);
 	}
 
