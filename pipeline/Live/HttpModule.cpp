@@ -126,7 +126,7 @@ std::string ToSmall(std::string Text)
 class FHttpServer final : public IHttpServer, private httplib::Server
 {
 public:
-	FHttpServer(int InPort, FHttpHandler InHandler)
+	FHttpServer(int AskedPort, FHttpHandler InHandler)
 		: Handler(std::move(InHandler))
 	{
 		new_task_queue = []
@@ -157,7 +157,7 @@ public:
 			}));
 		set_exception_handler(
 			[](const httplib::Request&, httplib::Response& Response, std::exception_ptr) { Response.status = 500; });
-		Port = InPort == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", InPort) ? InPort : -1;
+		Port = AskedPort == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", AskedPort) ? AskedPort : -1;
 		if (Port > 0)
 		{
 			::listen(svr_sock_, SOMAXCONN); // the library's own backlog is 5
@@ -281,7 +281,7 @@ private:
 	std::atomic<bool> bEnding = false;
 	std::thread Listener;
 
-	/** Of the request of this thread: its body was not read, so that nothing can follow it. */
+	/** The body of this thread's request was not read, so that nothing can follow it. */
 	static thread_local bool bRefused;
 };
 

@@ -36,24 +36,21 @@ std::string MakeAnswer(const std::string& Text, const std::string& Json)
 	return Writer.GetText();
 }
 
-/** The settings that differ from the start, at most a few: "BloomIntensity 2, BloomThreshold 1". */
-std::string DescribeDifference(const FLiveSession& Session, const FFinalPostProcessSettings& Settings)
+/** What differs from the start, at most a few: "BloomIntensity 2, r.BloomQuality 3". */
+std::string DescribeDifference(const FEditHistory& History)
 {
-	constexpr int Most = 3;
+	constexpr size_t Most = 3;
+	const std::vector<FConfigEdit> Changes = FindChanges(History.GetStart(), History.GetText());
 	std::string Label;
-	int Count = 0;
-	for (const FSettingField& Field : GetSettingFields())
+	for (size_t Index = 0; Index < std::min(Changes.size(), Most); ++Index)
 	{
-		const std::string Value = SettingToText(Field, Field.Get(Settings));
-		if (Session.GetStartSettings() && Value != SettingToText(Field, Field.Get(*Session.GetStartSettings())) &&
-			Count++ < Most)
-		{
-			Label += (Label.empty() ? "" : ", ") + std::string(Field.Name) + " " + Value;
-		}
+		const FConfigEdit& Change = Changes[Index];
+		const std::string Name = SplitPointer(Change.Pointer).back();
+		Label += (Label.empty() ? "" : ", ") + (Change.Value ? Name + " " + *Change.Value : "no " + Name);
 	}
-	return Count == 0 ? Session.GetHistory().GetText() == Session.GetHistory().GetStart() ? "start" : "other variables"
-		   : Count > Most ? Label + " and " + std::to_string(Count - Most) + " more"
-						  : Label;
+	return Changes.empty()         ? "start"
+		   : Changes.size() > Most ? Label + " and " + std::to_string(Changes.size() - Most) + " more"
+								   : Label;
 }
 
 /** The study of a config, else one whose exact frame is in double. */
@@ -161,7 +158,7 @@ std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsL
 	FLiveDot Dot{
 		.Revision = Session.GetHistory().GetRevision(), .Milliseconds = Times[NumRuns / 2], .Metric = Study.Metrics[0]};
 	Dot.Error = GetMetric(CompareImages(Measured.Image, Exact.Image, {.Encoding = Measured.Encoding}), Dot.Metric);
-	Dot.Label = Session.GetFrame() != nullptr ? DescribeDifference(Session, Session.GetFrame()->Settings) : "";
+	Dot.Label = DescribeDifference(Session.GetHistory());
 	FJsonWriter Writer;
 	Writer.Object({{"milliseconds", Dot.Milliseconds}, {"error", Dot.Error}, {"metric", Dot.Metric},
 		{"label", Dot.Label}, {"revision", Dot.Revision}});

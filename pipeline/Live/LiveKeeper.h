@@ -1,5 +1,5 @@
 // Two processes: one keeps the other, which runs the frames, and starts it again when the code of a plugin has crashed
-// it. What is to outlive a crash lies in files of a folder that both know.
+// it. State that outlives a crash lies in files of a folder that both know.
 #pragma once
 
 #include "Live/EditHistory.h"
@@ -28,7 +28,7 @@ public:
 	/** The state of the last frame that was well; nothing: this is the first, or there was none. */
 	std::optional<FEditHistory> ReadHistory() const;
 
-	/** What the crash said; empty: there was none. */
+	/** The last line that the crash left on stderr; empty: there was none. */
 	std::string ReadCrash() const;
 
 	/** A frame of this state was well. */

@@ -158,13 +158,9 @@ std::string MakeLiveText(FLiveSession& Session, const std::string& As)
 		throw FError(
 			{.Code = ErrorBadEdit, .Message = "expected config, engine, lines or variables", .Where = "as"}, ExitUsage);
 	}
-	for (const FSettingField& Field : GetSettingFields())
+	for (const FConfigEdit& Change : FindChanges(Session.GetHistory().GetStart(), Session.GetHistory().GetText()))
 	{
-		if (Field.IsOverridden(Config.Camera.Settings.Settings))
-		{
-			Text += FJsonWriter::Quote(Field.Name) + ": " +
-					SettingToJson(Field, Field.Get(Config.Camera.Settings.Settings)) + ",\n";
-		}
+		Text += WriteEdit(Change) + "\n";
 	}
 	return Text;
 }

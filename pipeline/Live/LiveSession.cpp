@@ -163,12 +163,32 @@ void FLiveSession::AddDot(FLiveDot Dot)
 	}
 }
 
+void FLiveSession::RunStart()
+{
+	constexpr uint64_t FirstRevision = 1;
+	try
+	{
+		Prepare(History.GetStart());
+		const FRunResult Start = Run->Run(std::nullopt, {});
+		StartSettings = Start.Settings;
+		Pictures.Add(MakeLivePicture(FirstRevision, Start));
+	}
+	catch (const FError&)
+	{
+		Run.reset(); // then the first frame that is well counts as the start's
+	}
+}
+
 void FLiveSession::RunFrame()
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	bFrameWanted = false;
 	try
 	{
+		if (!StartSettings && History.GetText() != History.GetStart())
+		{
+			RunStart(); // an edit was faster than the first frame, or the session goes on after a crash
+		}
 		Prepare(History.GetText());
 		Frame = Run->Run(std::nullopt, {});
 		const auto Picture = MakeLivePicture(History.GetRevision(), *Frame);

@@ -34,6 +34,7 @@ struct FLiveVerbOptions
 	std::string Replay; // record of a session; empty: none
 	int Port = 0;
 	bool bNoOpen = false;
+	bool bNoReuse = false;
 };
 
 /** A value of the command line as JSON: as it is where it is JSON, else as text. */
@@ -55,7 +56,7 @@ FConfigEdit MakeArgumentEdit(const std::string& Place, const std::string& Argume
 	return {Place + Argument.substr(0, Equals), MakeJsonValue(Argument.substr(Equals + 1))};
 }
 
-/** What the command line says, as edits of the config. */
+/** The command line as edits of the config. */
 std::vector<FConfigEdit> MakeEdits(const FRunOptions& Options)
 {
 	std::vector<FConfigEdit> Edits;
@@ -120,8 +121,14 @@ bool HasDisplay()
 
 FLiveOptions MakeLiveOptions(const FLiveVerbOptions& Options, const std::string& ConfigFile)
 {
-	FLiveOptions Made{.Run = Options.Run, .OutputFolder = Options.OutputFolder, .Explain = ExplainFailure};
+	FLiveOptions Made{.Run = Options.Run,
+		.OutputFolder = Options.OutputFolder,
+		.Explain = [](const std::exception_ptr& Thrown)
+		{
+			return ExplainFailure(Thrown);
+		}};
 	Made.Run.ConfigFile = ConfigFile;
+	Made.bReuse = !Options.bNoReuse;
 	Made.Run.Variables.clear(); // the state has them
 	Made.Run.Settings.clear();
 	Made.Run.Engine.clear();
@@ -207,6 +214,8 @@ FVerbCall AddLiveOptions(FVerbOptions& Verb)
 	Verb.Add("CONFIG", Options->Run.ConfigFile, "JSON config, such as configs/toon_bloom.json");
 	Verb.Add("--port", Options->Port, "Port of 127.0.0.1; 0: a free one (default)").RequireRange(0, 65535).SetType("N");
 	Verb.AddFlag("--no-open", Options->bNoOpen, "Print the address, and open no browser");
+	Verb.AddFlag("--no-reuse", Options->bNoReuse,
+		"Run all passes of each frame, also those that no change reaches: slower, the same bits");
 	Verb.Add("--out", Options->OutputFolder,
 			"Folder in which configs may be saved, too; with --replay the folder for the outputs, by default out/NAME "
 			"of "

@@ -47,7 +47,7 @@ public:
 	 * way are registered as they are. */
 	void UseKeptTextures(const FScenePackContext& Context);
 
-	/** A pass of the graph writes to this texture, so that it is no other frame's. */
+	/** A pass of the graph writes to this texture, so that no other frame may use it. */
 	void ForgetKept(const std::string& Texture);
 
 	/** Null: nothing is kept. */

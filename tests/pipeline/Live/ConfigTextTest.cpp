@@ -148,6 +148,23 @@ TEST(ConfigText, WhatCannotBeIsRefused)
 	EXPECT_EQ("{\"set\": \"/a\", \"value\": [1, {\"b\": null}]}", WriteEdit(Edits[0]));
 }
 
+TEST(ConfigText, ChangesAreTheEditsBetweenTwoTexts)
+{
+	const std::string Before = R"({"a": 1, "b": {"c": [1, 2], "d~/": "x"}, "e": 0} // so)";
+	const std::string After = R"({"b": {"d~/": "y", "c": [1, 2], "f": {"g": 1}}, "a": 1.0})";
+	std::string Lines;
+	for (const FConfigEdit& Change : FindChanges(Before, After))
+	{
+		Lines += WriteEdit(Change) + "\n";
+	}
+	EXPECT_EQ("{\"set\": \"/b/d~0~1\", \"value\": \"y\"}\n"
+			  "{\"set\": \"/b/f\", \"value\": {\"g\": 1}}\n"
+			  "{\"remove\": \"/e\"}\n",
+		Lines);
+	EXPECT_EQ(Parse(After), Parse(ApplyEdits(Before, FindChanges(Before, After))));
+	EXPECT_TRUE(FindChanges(Before, Before).empty());
+}
+
 // nlohmann's library carries out the same edits on the parsed config.
 TEST(ConfigText, RandomEditsGiveTheConfigThatAnotherLibraryGives)
 {

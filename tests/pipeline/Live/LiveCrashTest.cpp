@@ -24,6 +24,7 @@ TEST(LiveCrash, IsAMessageAndTheNextEditGoesOn)
 	const FJson Good = Program.WaitForFrame();
 	ASSERT_TRUE(Good["fault"].is_null());
 	const std::string Picture = Program.Get("/api/picture/now?kind=final8").Body;
+	const std::string Start = Program.Get("/api/picture/start?kind=final8").Body;
 	for (int Crash = 0; Crash < 3; ++Crash)
 	{
 		EXPECT_EQ(200, Program.Edit("/cvars/r.ToonBloom.AsPrinted", 1).Status);
@@ -39,6 +40,7 @@ TEST(LiveCrash, IsAMessageAndTheNextEditGoesOn)
 		const std::string Message = Fault["fault"]["messages"][0]["message"];
 		EXPECT_NE(std::string::npos, Message.find("libCrashPlugin.so")) << Message;
 		EXPECT_EQ(Picture, Program.Get("/api/picture/now?kind=final8").Body); // of the state before
+		EXPECT_EQ(Start, Program.Get("/api/picture/start?kind=final8").Body);
 		EXPECT_EQ(200, Program.Edit("/camera/Settings/BloomIntensity", 1 + Crash).Status);
 		EXPECT_TRUE(Program.WaitForFrame()["fault"].is_null());
 		EXPECT_EQ(200, Program.Post("/api/undo").Status);

@@ -205,7 +205,8 @@ TEST_F(LiveServer, SavesBesideTheConfigOrUnderOutAndNowhereElse)
 	EXPECT_EQ("../../toon.exr", FJson::parse(Folder.Read("out/deep/c.json"), nullptr, true, true)["scene"]["file"]);
 	EXPECT_EQ(0, Folder.Call("check out/deep/c.json").ExitCode);
 	EXPECT_EQ(Folder.Read("b.json"), Program.Get("/api/text?as=config").Body);
-	EXPECT_EQ("\"BloomIntensity\": 3,\n", Program.Get("/api/text?as=lines").Body);
+	EXPECT_EQ("{\"set\": \"/camera\", \"value\": {\"Settings\": {\"BloomIntensity\": 3}}}\n",
+		Program.Get("/api/text?as=lines").Body);
 	EXPECT_NE(std::string::npos, Program.Get("/api/text?as=engine").Body.find("bOverride_BloomIntensity=True"));
 }
 
