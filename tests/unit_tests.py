@@ -15,13 +15,18 @@ import sys
 TESTS = pathlib.Path(__file__).resolve().parent
 # As in tests/CMakeLists.txt: folders whose files, and whose folders' files, are one program.
 STOREYS = ["rdg", "settings", "passes", "pipeline"]
-ROOMS = ["project", "settings", "passes", "pipeline", "stability"] + sorted(
+ROOMS = ["project", "settings", "passes", "pipeline", "pipeline/Live", "stability"] + sorted(
     str(p.relative_to(TESTS)) for p in (TESTS / "rdg").rglob("*") if p.name != "NegativeCompile" and any(p.glob("*.cpp")))
 KINDS = {"TEST": "{0}.{1}", "TEST_F": "{0}.{1}", "RC_GTEST_PROP": "{0}.{1}", "TEST_P": "*{0}.{1}/*", "TYPED_TEST": "*{0}/*.{1}"}
 
 
 def name_program(room):
     return re.sub("/([a-z]+/)?", "_", room)
+
+
+def find_program(path):
+    """The room whose program holds the test file: the innermost."""
+    return max((room for room in ROOMS if TESTS / room in path.parents), key=len)
 
 
 def find_room(folder):
@@ -47,7 +52,7 @@ def find_filters(is_wanted):
     """The tests of the wanted files by program, and the names of all units."""
     filters, names = {}, set()
     for room in ROOMS:
-        for path in sorted(p for p in (TESTS / room).rglob("*.cpp") if "NegativeCompile" not in p.parts):
+        for path in sorted(p for p in (TESTS / room).rglob("*.cpp") if "NegativeCompile" not in p.parts and find_program(p) == room):
             text = path.read_text()
             names.add(path.stem.removesuffix("Test"))
             tests = list(find_tests(text)) if is_wanted(path, text) else []

@@ -70,7 +70,7 @@ size_t SkipValue(const std::string& Text, size_t Begin)
 struct FItem
 {
 	std::string Key = {}; // of a member, in quotes
-	size_t Begin = 0; // of the key, or of the element
+	size_t Begin = 0;     // of the key, or of the element
 	size_t Value = 0;
 	size_t End = 0;
 	size_t Comma = std::string::npos; // behind it
@@ -273,7 +273,51 @@ void WriteInto(FJsonWriter& Writer, const FJsonValue& Value)
 	Writer.Null();
 }
 
+void AddChanges(const FJsonValue& Before, const FJsonValue& After, std::vector<FConfigEdit>& Changes)
+{
+	if (Before.Type != EJsonType::Object || After.Type != EJsonType::Object)
+	{
+		if (WriteJson(Before) != WriteJson(After))
+		{
+			Changes.push_back({After.Pointer, WriteJson(After)});
+		}
+		return;
+	}
+	for (const FJsonMember& Member : After.Members)
+	{
+		if (const FJsonValue* const Known = Before.Find(Member.Key))
+		{
+			AddChanges(*Known, Member.Value, Changes);
+		}
+		else
+		{
+			Changes.push_back({Member.Value.Pointer, WriteJson(Member.Value)});
+		}
+	}
+	for (const FJsonMember& Member : Before.Members)
+	{
+		if (After.Find(Member.Key) == nullptr)
+		{
+			Changes.push_back({Member.Value.Pointer, std::nullopt});
+		}
+	}
+}
+
+FJsonValue Parse(const std::string& Text)
+{
+	std::vector<FDiagnostic> Ignored;
+	bool bSyntaxError = false;
+	return ParseJson(Text, "", Ignored, bSyntaxError);
+}
+
 } // namespace
+
+std::vector<FConfigEdit> FindChanges(const std::string& Before, const std::string& After)
+{
+	std::vector<FConfigEdit> Changes;
+	AddChanges(Parse(Before), Parse(After), Changes);
+	return Changes;
+}
 
 std::vector<std::string> SplitPointer(const std::string& Pointer)
 {

@@ -52,8 +52,7 @@ void ReplayLine(const FJsonValue& Line, const std::string& Text, FEditHistory& H
 	if (const FJsonValue* const Edits = Line.Find("edits"))
 	{
 		const std::vector<FConfigEdit> Read = ReadEdits(*Edits);
-		History.Take(
-			History.Edit(Read), EMove::Forward, Text, FEditHistory::MakeDrag(Line.GetString("drag"), Read));
+		History.Take(History.Edit(Read), EMove::Forward, Text, FEditHistory::MakeDrag(Line.GetString("drag"), Read));
 	}
 	else if (Line.Find("undo") != nullptr)
 	{

@@ -53,13 +53,10 @@ public:
 	{
 		if (From == To)
 		{
-			if (!WaitFor(POLLIN))
-			{
-				return -1;
-			}
-			const ssize_t NumRead = recv(Socket, Buffer, sizeof(Buffer), 0);
+			const ssize_t NumRead = WaitFor(POLLIN) ? recv(Socket, Buffer, sizeof(Buffer), 0) : -1;
 			if (NumRead <= 0)
 			{
+				bFailed = true;
 				return NumRead;
 			}
 			From = 0;
@@ -69,8 +66,12 @@ public:
 		std::copy_n(Buffer + From, Count, Bytes);
 		From += Count;
 		BytesLeft -= Count;
+		bFailed = bFailed || Count == 0;
 		return Count > 0 ? static_cast<ssize_t>(Count) : -1;
 	}
+
+	/** A request did not come whole. */
+	bool HasFailed() const { return bFailed; }
 
 	ssize_t write(const char* Bytes, size_t Size) override
 	{
@@ -113,6 +114,7 @@ private:
 	char Buffer[16384];
 	size_t From = 0; // in Buffer
 	size_t To = 0;
+	bool bFailed = false;
 };
 
 std::string ToSmall(std::string Text)
@@ -124,7 +126,7 @@ std::string ToSmall(std::string Text)
 class FHttpServer final : public IHttpServer, private httplib::Server
 {
 public:
-	FHttpServer(int InPort, FHttpHandler InHandler)
+	FHttpServer(int AskedPort, FHttpHandler InHandler)
 		: Handler(std::move(InHandler))
 	{
 		new_task_queue = []
@@ -139,22 +141,26 @@ public:
 				const int Yes = 1;
 				setsockopt(Socket, SOL_SOCKET, SO_REUSEADDR, &Yes, sizeof(Yes)); // not SO_REUSEPORT: nobody shares it
 			});
-		set_pre_routing_handler(
-			[this](const httplib::Request& Request, httplib::Response& Response)
-			{
-				return AnswerWithoutBody(Request, Response) ? HandlerResponse::Handled : HandlerResponse::Unhandled;
-			});
+		set_pre_routing_handler([this](const httplib::Request& Request, httplib::Response& Response)
+			{ return AnswerWithoutBody(Request, Response) ? HandlerResponse::Handled : HandlerResponse::Unhandled; });
 		const auto AnswerWithBody = [this](const httplib::Request& Request, httplib::Response& Response)
 		{
 			Answer(Request, Response);
 		};
 		Post("/.*", AnswerWithBody);
 		Delete("/.*", AnswerWithBody);
-		set_exception_handler([](const httplib::Request&, httplib::Response& Response, std::exception_ptr)
-			{ Response.status = 500; });
-		Port = InPort == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", InPort) ? InPort : -1;
+		set_error_handler(HandlerWithResponse(
+			[](const httplib::Request&, httplib::Response& Response)
+			{
+				bRefused = bRefused || Response.status == 400; // what follows cannot be told from it
+				return HandlerResponse::Unhandled;
+			}));
+		set_exception_handler(
+			[](const httplib::Request&, httplib::Response& Response, std::exception_ptr) { Response.status = 500; });
+		Port = AskedPort == 0 ? bind_to_any_port("127.0.0.1") : bind_to_port("127.0.0.1", AskedPort) ? AskedPort : -1;
 		if (Port > 0)
 		{
+			::listen(svr_sock_, SOMAXCONN); // the library's own backlog is 5
 			Listener = std::thread([this] { listen_after_bind(); });
 		}
 	}
@@ -194,7 +200,7 @@ private:
 					Request.headers.erase("Accept-Encoding");
 					Request.ranges.clear();
 				});
-			if (!bDone || bClosed || bRefused)
+			if (!bDone || bClosed || bRefused || Stream.HasFailed())
 			{
 				break;
 			}
@@ -211,14 +217,14 @@ private:
 		const std::string Length = Request.get_header_value("Content-Length");
 		const std::string Type = Request.get_header_value("Content-Type");
 		const bool bBody = !Length.empty() && Length != "0";
-		const int Refusal = Request.target.size() > MaxTarget                                    ? 414
+		const int Refusal = Request.target.size() > MaxTarget                                                   ? 414
 							: Request.method != "GET" && Request.method != "POST" && Request.method != "DELETE" ? 405
-							: Request.has_header("Transfer-Encoding")                            ? 411
-							: Length.find_first_not_of("0123456789") != Length.npos || Length.size() > 9 ? 400
-							: bBody && Request.method == "GET"                                   ? 400
-							: bBody && std::stoul(Length) > MaxHttpBody                          ? 413
-							: bBody && !Type.starts_with("application/json")                     ? 415
-																								 : 0;
+							: Request.has_header("Transfer-Encoding")                                           ? 411
+							: Length.find_first_not_of("0123456789") != Length.npos || Length.size() > 9        ? 400
+							: bBody && Request.method == "GET"                                                  ? 400
+							: bBody && std::stoul(Length) > MaxHttpBody                                         ? 413
+							: bBody && !Type.starts_with("application/json")                                    ? 415
+																												: 0;
 		if (Refusal != 0)
 		{
 			bRefused = true;
@@ -275,7 +281,7 @@ private:
 	std::atomic<bool> bEnding = false;
 	std::thread Listener;
 
-	/** Of the request of this thread: its body was not read, so that nothing can follow it. */
+	/** The body of this thread's request was not read, so that nothing can follow it. */
 	static thread_local bool bRefused;
 };
 
@@ -295,7 +301,8 @@ extern "C" __attribute__((visibility("default"))) Drydock::IHttpServer* DrydockM
 		{
 			return Server.release();
 		}
-		OutFault = Port == 0 ? "no port of this machine can be had" : "port " + std::to_string(Port) + " is in use, or not allowed";
+		OutFault = Port == 0 ? "no port of this machine can be had"
+							 : "port " + std::to_string(Port) + " is in use, or not allowed";
 	}
 	catch (const std::exception& Error)
 	{

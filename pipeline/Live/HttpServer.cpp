@@ -22,7 +22,8 @@ FMakeHttpServer LoadHttpModule()
 	void* const Function = Module != nullptr ? dlsym(Module, MakeHttpServerName) : nullptr;
 	if (Function == nullptr)
 	{
-		throw FError({.Code = ErrorNoServer, .Message = std::string("the module that speaks HTTP cannot be loaded: ") + dlerror()},
+		throw FError({.Code = ErrorNoServer,
+						 .Message = std::string("the module that speaks HTTP cannot be loaded: ") + dlerror()},
 			ExitFiles);
 	}
 	return reinterpret_cast<FMakeHttpServer>(Function);

@@ -49,7 +49,7 @@ public:
 /** Port: 0 takes a free one. Throws FError (exit code 3) where the module cannot be loaded or the port not be had. */
 std::unique_ptr<IHttpServer> StartHttpServer(int Port, const FHttpHandler& Handler);
 
-/** The module's function. Null: OutFault says why. */
+/** The module's function. Null: OutFault gives the reason. */
 using FMakeHttpServer = IHttpServer* (*)(int Port, const FHttpHandler& Handler, std::string& OutFault);
 inline constexpr const char* MakeHttpServerName = "DrydockMakeHttpServer";
 

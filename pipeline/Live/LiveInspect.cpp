@@ -36,24 +36,21 @@ std::string MakeAnswer(const std::string& Text, const std::string& Json)
 	return Writer.GetText();
 }
 
-/** The settings that differ from the start, at most a few: "BloomIntensity 2, BloomThreshold 1". */
-std::string DescribeDifference(const FLiveSession& Session, const FFinalPostProcessSettings& Settings)
+/** What differs from the start, at most a few: "BloomIntensity 2, r.BloomQuality 3". */
+std::string DescribeDifference(const FEditHistory& History)
 {
-	constexpr int Most = 3;
+	constexpr size_t Most = 3;
+	const std::vector<FConfigEdit> Changes = FindChanges(History.GetStart(), History.GetText());
 	std::string Label;
-	int Count = 0;
-	for (const FSettingField& Field : GetSettingFields())
+	for (size_t Index = 0; Index < std::min(Changes.size(), Most); ++Index)
 	{
-		const std::string Value = SettingToText(Field, Field.Get(Settings));
-		if (Session.GetStartSettings() && Value != SettingToText(Field, Field.Get(*Session.GetStartSettings())) &&
-			Count++ < Most)
-		{
-			Label += (Label.empty() ? "" : ", ") + std::string(Field.Name) + " " + Value;
-		}
+		const FConfigEdit& Change = Changes[Index];
+		const std::string Name = SplitPointer(Change.Pointer).back();
+		Label += (Label.empty() ? "" : ", ") + (Change.Value ? Name + " " + *Change.Value : "no " + Name);
 	}
-	return Count == 0     ? Session.GetHistory().GetText() == Session.GetHistory().GetStart() ? "start" : "other variables"
-		   : Count > Most ? Label + " and " + std::to_string(Count - Most) + " more"
-						  : Label;
+	return Changes.empty()         ? "start"
+		   : Changes.size() > Most ? Label + " and " + std::to_string(Changes.size() - Most) + " more"
+								   : Label;
 }
 
 /** The study of a config, else one whose exact frame is in double. */
@@ -136,24 +133,32 @@ std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pa
 	return MakeAnswer(Text, MakeTraceJson(Capture.GetTraces(), Request));
 }
 
-std::string MeasurePrice(FLiveSession& Session)
+std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsLate)
 {
 	constexpr int NumRuns = 5;
+	const auto CheckTime = [&]
+	{
+		if (IsLate())
+		{
+			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
+		}
+	};
 	const FStudy Study = FindStudy(Session);
 	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
 	FMeasured Measured = Subject->Run({}); // warms up
 	std::vector<double> Times;
 	for (int Run = 0; Run < NumRuns; ++Run)
 	{
+		CheckTime();
 		Times.push_back(Subject->Run({}).Milliseconds);
 	}
+	CheckTime();
 	std::ranges::sort(Times);
 	const FMeasured Exact = Subject->RunReference({});
-	FLiveDot Dot{.Revision = Session.GetHistory().GetRevision(),
-		.Milliseconds = Times[NumRuns / 2],
-		.Metric = Study.Metrics[0]};
+	FLiveDot Dot{
+		.Revision = Session.GetHistory().GetRevision(), .Milliseconds = Times[NumRuns / 2], .Metric = Study.Metrics[0]};
 	Dot.Error = GetMetric(CompareImages(Measured.Image, Exact.Image, {.Encoding = Measured.Encoding}), Dot.Metric);
-	Dot.Label = Session.GetFrame() != nullptr ? DescribeDifference(Session, Session.GetFrame()->Settings) : "";
+	Dot.Label = DescribeDifference(Session.GetHistory());
 	FJsonWriter Writer;
 	Writer.Object({{"milliseconds", Dot.Milliseconds}, {"error", Dot.Error}, {"metric", Dot.Metric},
 		{"label", Dot.Label}, {"revision", Dot.Revision}});

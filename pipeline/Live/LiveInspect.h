@@ -3,6 +3,7 @@
 
 #include "Picture/Picture.h"
 
+#include <functional>
 #include <string>
 
 namespace Drydock
@@ -25,7 +26,8 @@ std::string ProbeLive(FLiveSession& Session, int X, int Y, const std::string& Pa
 /** {"text", "json"}: what `drydock trace` prints. */
 std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pass);
 
-/** Measures time and error of the state, and keeps them as a dot. Returns the dot as JSON. */
-std::string MeasurePrice(FLiveSession& Session);
+/** Measures time and error of the state, and keeps them as a dot. Returns the dot as JSON. IsLate: whether another
+ * state waits; then it throws FError. */
+std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsLate);
 
 } // namespace Drydock

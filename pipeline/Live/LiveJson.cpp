@@ -58,8 +58,7 @@ std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double Wh
 	WriteMessageList(Writer, Result.Diagnostics);
 	Writer.Objects("effects", Result.Effects,
 		[&](const FEffectDecision& Decision) {
-			Writer.Members(
-				{{"name", Decision.GetName()}, {"active", Decision.bActive}, {"reason", Decision.Reason}});
+			Writer.Members({{"name", Decision.GetName()}, {"active", Decision.bActive}, {"reason", Decision.Reason}});
 		});
 	return Writer.GetText();
 }

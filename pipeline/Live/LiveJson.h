@@ -1,4 +1,4 @@
-// What the page is told, as JSON.
+// Writes JSON for the page: messages, frames, states.
 #pragma once
 
 #include "Diagnostics.h"

@@ -9,7 +9,8 @@ namespace Drydock
 
 std::string ReadLivePage()
 {
-	return ReadTextFile(FindPageFile("live.html"), "drydock's own file cannot be opened: is drydock installed completely?");
+	return ReadTextFile(
+		FindPageFile("live.html"), "drydock's own file cannot be opened: is drydock installed completely?");
 }
 
 } // namespace Drydock

@@ -4,6 +4,11 @@
 #include "Picture/Preview.h"
 #include "TileExecutor.h"
 
+#include <Imath/half.h>
+
+#include <algorithm>
+#include <cstring>
+
 namespace Drydock
 {
 
@@ -48,8 +53,9 @@ std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRu
 	return Made;
 }
 
-std::string MakeFloatBytes(const FPicture& Picture)
+std::string MakeFloatBytes(const FPicture& Picture, bool bAsFile)
 {
+	const bool bHalf = bAsFile && Picture.FitsHalf();
 	const size_t Width = static_cast<size_t>(Picture.Width);
 	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
 	std::string Bytes(Width * static_cast<size_t>(Picture.Height) * 4 * sizeof(float), '\0');
@@ -58,12 +64,18 @@ std::string MakeFloatBytes(const FPicture& Picture)
 	for (int Y = 0; Y < Picture.Height; ++Y)
 	{
 		Picture.ReadRow(Y, Row.data());
+		if (bHalf)
+		{
+			std::ranges::transform(
+				Row, Row.begin(), [](float Value) { return imath_half_to_float(imath_float_to_half(Value)); });
+		}
 		for (size_t X = 0; X < Width; ++X)
 		{
 			for (size_t Channel = 0; Channel < 4; ++Channel)
 			{
-				Texels[X * 4 + Channel] =
-					Channel < NumChannels ? Row[X * NumChannels + Channel] : Channel == 3 ? 1.0f : 0.0f;
+				Texels[X * 4 + Channel] = Channel < NumChannels ? Row[X * NumChannels + Channel]
+										  : Channel == 3        ? 1.0f
+																: 0.0f;
 			}
 		}
 		std::memcpy(Bytes.data() + static_cast<size_t>(Y) * Width * 4 * sizeof(float), Texels.data(),

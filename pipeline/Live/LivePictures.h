@@ -24,8 +24,9 @@ struct FLivePicture
 /** Makes it, by all threads. */
 DRYDOCK_API std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRunResult& Result);
 
-/** Bytes of 32-bit floats, RGBA, rows from the top. Alpha is 1 where the picture has none. */
-DRYDOCK_API std::string MakeFloatBytes(const FPicture& Picture);
+/** Bytes of 32-bit floats, RGBA, rows from the top. Alpha is 1 where the picture has none. bAsFile: the numbers that
+ * WriteExr writes, which are half floats where they fit. */
+DRYDOCK_API std::string MakeFloatBytes(const FPicture& Picture, bool bAsFile);
 
 /** Every function from any thread. */
 class DRYDOCK_API FLivePictures

@@ -41,7 +41,8 @@ FError MakePlaceError(const std::string& Message, const std::string& Path)
 }
 
 /** The relative paths of files in a config, as they lead there from another folder. */
-void FindMovedPaths(const FJsonValue& Value, const Files::path& From, const Files::path& To, std::vector<FConfigEdit>& Moved)
+void FindMovedPaths(
+	const FJsonValue& Value, const Files::path& From, const Files::path& To, std::vector<FConfigEdit>& Moved)
 {
 	std::error_code Error;
 	const Files::path Path = Value.String;
@@ -154,16 +155,12 @@ std::string MakeLiveText(FLiveSession& Session, const std::string& As)
 	}
 	if (As != "lines")
 	{
-		throw FError({.Code = ErrorBadEdit, .Message = "expected config, engine, lines or variables", .Where = "as"},
-			ExitUsage);
+		throw FError(
+			{.Code = ErrorBadEdit, .Message = "expected config, engine, lines or variables", .Where = "as"}, ExitUsage);
 	}
-	for (const FSettingField& Field : GetSettingFields())
+	for (const FConfigEdit& Change : FindChanges(Session.GetHistory().GetStart(), Session.GetHistory().GetText()))
 	{
-		if (Field.IsOverridden(Config.Camera.Settings.Settings))
-		{
-			Text += FJsonWriter::Quote(Field.Name) + ": " +
-					SettingToJson(Field, Field.Get(Config.Camera.Settings.Settings)) + ",\n";
-		}
+		Text += WriteEdit(Change) + "\n";
 	}
 	return Text;
 }

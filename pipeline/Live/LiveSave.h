@@ -21,8 +21,8 @@ enum class ELiveSave
  * lead from there. Throws FError: DD1121 for any other place, exit code 3 where it cannot be written. */
 ELiveSave SaveConfig(FLiveSession& Session, const std::string& Path, bool bAgain);
 
-/** The state as text. As: "config", "engine" (actors to paste into the editor), "lines" (what differs from the start:
- * JSON lines of edits), "variables" (r.X=Y, a line each). Throws FError (DD1120) for another word. */
+/** The state as text. As: "config", "engine" (actors to paste into the editor), "lines" (the changes since
+ * the start: JSON lines of edits), "variables" (r.X=Y, a line each). Throws FError (DD1120) for another word. */
 std::string MakeLiveText(FLiveSession& Session, const std::string& As);
 
 } // namespace Drydock

@@ -107,25 +107,14 @@ int ReadNumber(const std::map<std::string, std::string>& Query, const std::strin
 	return Number;
 }
 
-/** The state is another one; the answer is its revision. */
-template<typename TChange>
-FHttpResponse Change(FLiveQueue& Queue, FLiveSession& Session, const TChange& Do)
-{
-	return Give(Queue.Call(
-		[&]
-		{
-			Do();
-			return "{\"revision\": " + std::to_string(Session.GetHistory().GetRevision()) + "}\n";
-		}));
-}
-
 } // namespace
 
-FLiveServer::FLiveServer(FLiveSession& InSession, FLiveEvents& InEvents, FLivePictures& InPictures, int Port)
+FLiveServer::FLiveServer(
+	FLiveSession& InSession, FLiveEvents& InEvents, FLivePictures& InPictures, int Port, const std::string& InToken)
 	: Session(InSession)
 	, Events(InEvents)
 	, Pictures(InPictures)
-	, Token(MakeToken())
+	, Token(InToken.empty() ? MakeToken() : InToken)
 	, Http(StartHttpServer(Port, [this](const FHttpRequest& Request) { return Answer(Request); }))
 {
 	BoundPort = Http->GetPort();
@@ -146,7 +135,7 @@ std::string FLiveServer::GetAddress() const
 void FLiveServer::Serve()
 {
 	using FClock = std::chrono::steady_clock;
-	constexpr std::chrono::milliseconds Interval(200); // of looks at files
+	constexpr std::chrono::milliseconds Interval(200);  // of looks at files
 	constexpr std::chrono::milliseconds MostBefore(20); // of requests while a frame is wanted
 	FClock::time_point NextLook = FClock::now() + Interval;
 	Session.LookAtFiles();
@@ -210,9 +199,9 @@ FHttpResponse FLiveServer::Answer(const FHttpRequest& Request)
 			Response.Body = MakeMessagesJson(Error.GetDiagnostics());
 		}
 	}
-	Response.Headers.insert({{"Cache-Control", "no-store"}, {"X-Content-Type-Options", "nosniff"},
-		{"Referrer-Policy", "no-referrer"}, {"Content-Security-Policy", Policy},
-		{"Cross-Origin-Resource-Policy", "same-origin"}});
+	Response.Headers.insert(
+		{{"Cache-Control", "no-store"}, {"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "no-referrer"},
+			{"Content-Security-Policy", Policy}, {"Cross-Origin-Resource-Policy", "same-origin"}});
 	return Response;
 }
 
@@ -225,7 +214,7 @@ FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request)
 		const int Pass = ReadNumber(Request.Query, "pass");
 		const std::string Resource = Find(Request.Query, "resource");
 		const FPicture Picture = Queue.Call([&] { return ReadPassPicture(Session, Pass, Resource); });
-		return GivePicture(Picture.Width, Picture.Height, "float32", MakeFloatBytes(Picture));
+		return GivePicture(Picture.Width, Picture.Height, "float32", MakeFloatBytes(Picture, false));
 	}
 	const FLivePictures::FHandle Picture = Pictures.Find(Name);
 	if (Picture == nullptr)
@@ -238,7 +227,19 @@ FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request)
 	}
 	const FPicture& Final = Picture->Final;
 	return Kind == "final8" ? GivePicture(Final.Width, Final.Height, "uint8", Picture->Codes)
-							: GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final));
+							: GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
+}
+
+FHttpResponse FLiveServer::Change(const std::function<void()>& Do)
+{
+	++NumChanges;
+	return Give(Queue.Call(
+		[this, &Do]
+		{
+			--NumChanges;
+			Do();
+			return "{\"revision\": " + std::to_string(Session.GetHistory().GetRevision()) + "}\n";
+		}));
 }
 
 FHttpResponse FLiveServer::Route(const FHttpRequest& Request)
@@ -283,31 +284,30 @@ FHttpResponse FLiveServer::Route(const FHttpRequest& Request)
 		const int X = ReadNumber(Request.Query, "x");
 		const int Y = ReadNumber(Request.Query, "y");
 		const std::string Pass = Find(Request.Query, "pass");
-		return Give(Queue.Call([&]
-			{ return Path == "/api/probe" ? ProbeLive(Session, X, Y, Pass) : TraceLive(Session, X, Y, Pass); }));
+		return Give(Queue.Call(
+			[&] { return Path == "/api/probe" ? ProbeLive(Session, X, Y, Pass) : TraceLive(Session, X, Y, Pass); }));
 	}
 	if (Request.Method == "POST" && Path == "/api/edit")
 	{
 		const FJsonValue Body = ReadBody(Request);
 		const FJsonValue* const Edits = Body.Find("edits");
 		const std::vector<FConfigEdit> Read = ReadEdits(Edits != nullptr ? *Edits : FJsonValue());
-		return Change(Queue, Session, [&] { Session.Edit(Read, Body.GetString("drag")); });
+		return Change([&] { Session.Edit(Read, Body.GetString("drag")); });
 	}
 	if (Request.Method == "POST" && Path == "/api/undo")
 	{
-		return Change(Queue, Session, [&] { Session.Undo(); });
+		return Change([&] { Session.Undo(); });
 	}
 	if (Request.Method == "POST" && Path == "/api/redo")
 	{
-		return Change(Queue, Session, [&] { Session.Redo(); });
+		return Change([&] { Session.Redo(); });
 	}
 	if (Request.Method == "POST" && Path == "/api/reset")
 	{
 		const FJsonValue Body = ReadBody(Request);
 		const FJsonValue* const Pointer = Body.Find("pointer");
 		const bool bOne = Pointer != nullptr && Pointer->Type == EJsonType::String;
-		return Change(Queue, Session,
-			[&] { Session.Reset(bOne ? std::optional(Pointer->String) : std::nullopt); });
+		return Change([&] { Session.Reset(bOne ? std::optional(Pointer->String) : std::nullopt); });
 	}
 	if (Request.Method == "POST" && Path == "/api/pin")
 	{
@@ -317,18 +317,18 @@ FHttpResponse FLiveServer::Route(const FHttpRequest& Request)
 	if (Request.Method == "DELETE" && Path.starts_with("/api/pin/"))
 	{
 		const int Number = ReadNumber({{"pin", Path.substr(std::string("/api/pin/").size())}}, "pin");
-		return Change(Queue, Session, [&] { Session.Unpin(Number); });
+		return Change([&] { Session.Unpin(Number); });
 	}
 	if (Request.Method == "POST" && Path == "/api/price")
 	{
-		return Give(Queue.Call([&] { return MeasurePrice(Session); }));
+		return Give(Queue.Call([&] { return MeasurePrice(Session, [this] { return NumChanges > 0; }); }));
 	}
 	if (Request.Method == "POST" && Path == "/api/save")
 	{
 		const FJsonValue Body = ReadBody(Request);
 		const FJsonValue* const Again = Body.Find("again");
-		const ELiveSave Saved = Queue.Call(
-			[&] { return SaveConfig(Session, Body.GetString("path"), Again != nullptr && Again->Bool); });
+		const ELiveSave Saved =
+			Queue.Call([&] { return SaveConfig(Session, Body.GetString("path"), Again != nullptr && Again->Bool); });
 		return Saved == ELiveSave::Exists ? Refuse(409, "the file exists: ask again to replace it")
 										  : Give("{\"saved\": " + FJsonWriter::Quote(Body.GetString("path")) + "}\n");
 	}

@@ -14,12 +14,17 @@ namespace Drydock
 class DRYDOCK_API FLiveServer
 {
 public:
-	/** Port: 0 takes a free one. Session: called by the thread of Serve alone. Throws FError as StartHttpServer. */
-	FLiveServer(FLiveSession& InSession, FLiveEvents& InEvents, FLivePictures& InPictures, int Port);
+	/** Port: 0 takes a free one. Token: empty makes one. Session: called by the thread of Serve alone. Throws FError as
+	 * StartHttpServer. */
+	FLiveServer(FLiveSession& InSession, FLiveEvents& InEvents, FLivePictures& InPictures, int Port,
+		const std::string& InToken);
 	~FLiveServer();
 
 	/** "http://127.0.0.1:8123/?token=..." */
 	std::string GetAddress() const;
+
+	int GetPort() const { return BoundPort; }
+	const std::string& GetToken() const { return Token; }
 
 	/** Runs frames, answers and looks at files, until a page ends it. */
 	void Serve();
@@ -32,6 +37,9 @@ private:
 	FHttpResponse Route(const FHttpRequest& Request);
 	FHttpResponse AnswerPicture(const FHttpRequest& Request);
 
+	/** Do makes another state of it; the answer is its revision. */
+	FHttpResponse Change(const std::function<void()>& Do);
+
 	FLiveSession& Session;
 	FLiveEvents& Events;
 	FLivePictures& Pictures;
@@ -39,6 +47,7 @@ private:
 	const std::string Token;
 	std::atomic<int> BoundPort = 0;
 	std::atomic<bool> bEnd = false;
+	std::atomic<int> NumChanges = 0;   // that wait for their turn
 	std::unique_ptr<IHttpServer> Http; // ends first
 };
 

@@ -52,6 +52,11 @@ FLiveSession::FLiveSession(
 	, SceneCache(std::make_shared<FSceneCache>())
 	, FileText(TryReadTextFile(History.GetFile()).value_or(""))
 {
+	if (!Options.Crash.empty())
+	{
+		CrashJson = MakeFaultJson(History.GetRevision(), {{.Code = ErrorLiveCrash, .Message = Options.Crash}});
+		FaultJson = CrashJson;
+	}
 }
 
 FLiveSession::~FLiveSession() = default;
@@ -88,6 +93,7 @@ void FLiveSession::Take(
 {
 	Prepare(Text);
 	History.Take(Text, Move, Line, Drag);
+	CrashJson = "null";
 	bFrameWanted = true;
 	bNewFiles = true;
 	TellState();
@@ -141,8 +147,7 @@ void FLiveSession::Unpin(int Number)
 {
 	if (std::erase_if(Pins, [&](const FLivePin& Pin) { return Pin.Number == Number; }) == 0)
 	{
-		throw FError(
-			{.Code = ErrorBadEdit, .Message = "there is no pin " + std::to_string(Number)}, ExitUsage);
+		throw FError({.Code = ErrorBadEdit, .Message = "there is no pin " + std::to_string(Number)}, ExitUsage);
 	}
 	Pictures.Forget("pin-" + std::to_string(Number));
 	TellState();
@@ -158,23 +163,48 @@ void FLiveSession::AddDot(FLiveDot Dot)
 	}
 }
 
+void FLiveSession::RunStart()
+{
+	constexpr uint64_t FirstRevision = 1;
+	try
+	{
+		Prepare(History.GetStart());
+		const FRunResult Start = Run->Run(std::nullopt, {});
+		StartSettings = Start.Settings;
+		Pictures.Add(MakeLivePicture(FirstRevision, Start));
+	}
+	catch (const FError&)
+	{
+		Run.reset(); // then the first frame that is well counts as the start's
+	}
+}
+
 void FLiveSession::RunFrame()
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	bFrameWanted = false;
 	try
 	{
+		if (!StartSettings && History.GetText() != History.GetStart())
+		{
+			RunStart(); // an edit was faster than the first frame, or the session goes on after a crash
+		}
 		Prepare(History.GetText());
 		Frame = Run->Run(std::nullopt, {});
 		const auto Picture = MakeLivePicture(History.GetRevision(), *Frame);
 		if (!StartSettings)
 		{
 			StartSettings = Frame->Settings;
+			bNewFiles = true;
 		}
 		Pictures.Add(Picture);
 		FrameJson = MakeFrameJson(History.GetRevision(), *Frame, MillisecondsSince(Begin));
-		FaultJson = "null";
+		FaultJson = CrashJson;
 		Events.Send("frame", FrameJson);
+		if (Options.OnFrame)
+		{
+			Options.OnFrame(History);
+		}
 	}
 	catch (...)
 	{
@@ -186,27 +216,38 @@ void FLiveSession::RunFrame()
 void FLiveSession::LookAtFiles()
 {
 	FWatchedFiles Present = FindRunFiles(MakeOptions());
-	// Another state may name other files, and a plugin's are known once it is loaded.
-	if (std::exchange(bNewFiles, false) || Present == Files)
+	const std::string& ConfigFile = History.GetFile();
+	FWatchedFiles Before = std::exchange(Files, Present);
+	if (std::exchange(bNewFiles, false))
 	{
-		Files = std::move(Present);
+		// Another state may name other files, and a plugin's are known once it is loaded: only what both know counts.
+		FWatchedFiles Known = Before;
+		Known.AddUnknown(Present);
+		Present.AddUnknown(Before);
+		Before = std::move(Known);
+	}
+	if (Present == Before)
+	{
 		return;
 	}
-	const std::string& ConfigFile = History.GetFile();
-	const FWatchedFiles Before = std::exchange(Files, std::move(Present));
-	const std::optional<std::vector<std::string>> Edited = Files.FindEdited(Before);
+	const std::optional<std::vector<std::string>> Edited = Present.FindEdited(Before);
 	const std::string Text = TryReadTextFile(ConfigFile).value_or(FileText);
 	const bool bConfig = std::exchange(FileText, Text) != Text;
 	if (!Edited || Edited->size() > (bConfig ? 1u : 0u))
 	{
 		Run.reset();
-		ForgetEdited(Before, Files);
+		ForgetEdited(Before, Present);
 		History.TakeChange();
 		bFrameWanted = true;
 		TellState();
 	}
-	if (!bConfig || Text == History.GetText())
+	if (!bConfig)
 	{
+		return;
+	}
+	if (Text == History.GetText())
+	{
+		bFrameWanted = true; // where it was broken meanwhile
 		return;
 	}
 	try

@@ -19,9 +19,15 @@ namespace Drydock
 struct FLiveOptions
 {
 	FRunOptions Run;          // ConfigFile, and what no config says
+	bool bReuse = true;       // passes that no change reaches are taken from the frame before
 	std::string OutputFolder; // where configs may be saved, beside the config's own folder; empty: nowhere else
 	/** The messages of whatever was thrown. */
 	std::function<FError(const std::exception_ptr& Thrown)> Explain;
+	/** The crash that ended the process which ran the session before; empty: there was none. The page is told until the
+	 * next edit. */
+	std::string Crash = {};
+	/** Called when a frame of the state was well. */
+	std::function<void(const FEditHistory& History)> OnFrame = {};
 };
 
 /** A state that was kept. */
@@ -96,6 +102,8 @@ private:
 	/** Throws FError where the text does not check. */
 	void Prepare(const std::string& Text);
 	void Take(const std::string& Text, FEditHistory::EMove Move, const std::string& Line, const std::string& Drag = "");
+	/** The frame of the start: its settings and its picture. */
+	void RunStart();
 	void TellState();
 	void TellFault(const std::vector<FDiagnostic>& Messages);
 
@@ -111,6 +119,7 @@ private:
 	std::optional<FFinalPostProcessSettings> StartSettings;
 	std::string FrameJson = "null";
 	std::string FaultJson = "null";
+	std::string CrashJson = "null";
 	std::vector<FLivePin> Pins;
 	int NumPins = 0;
 	std::vector<FLiveDot> Dots;

@@ -6,9 +6,11 @@
 #include "Run/FinalSettings.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "TextTools.h"
 
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -49,6 +51,19 @@ void WriteRange(FJsonWriter& Writer, const FSettingRange& Range)
 		{"uiMin", Narrow(Range.UIMin)}, {"uiMax", Narrow(Range.UIMax)}});
 }
 
+/** As a config takes it: a truth value, a number or a text. */
+std::string MakeVariableJson(const FConsoleVariableInfo& Info, const FString& Value)
+{
+	const std::string Text = *Value;
+	const std::string Type = *Info.Type;
+	double Number = 0.0;
+	const auto [End, Fault] = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
+	const bool bNumber = Fault == std::errc() && End == Text.data() + Text.size() && std::isfinite(Number);
+	return Type == "bool"                 ? (Text == "1" || Text == "true" ? "true" : "false")
+		   : Type != "FString" && bNumber ? NumberText(Number)
+										  : FJsonWriter::Quote(Text);
+}
+
 class FStateWriter
 {
 public:
@@ -61,10 +76,10 @@ public:
 	std::string Write()
 	{
 		const FEditHistory& History = Session.GetHistory();
-		Writer.Members({{"revision", History.GetRevision()},
-			{"name", std::filesystem::path(History.GetFile()).stem().string()}, {"config", History.GetFile()},
-			{"canUndo", History.CanUndo()}, {"canRedo", History.CanRedo()},
-			{"changed", History.GetText() != History.GetStart()}});
+		Writer.Members(
+			{{"revision", History.GetRevision()}, {"name", std::filesystem::path(History.GetFile()).stem().string()},
+				{"config", History.GetFile()}, {"canUndo", History.CanUndo()}, {"canRedo", History.CanRedo()},
+				{"changed", History.GetText() != History.GetStart()}});
 		WriteSettings();
 		WriteVolumes();
 		WriteView();
@@ -96,9 +111,9 @@ private:
 			[&](const FSettingField& Field)
 			{
 				Writer.BeginObject(true);
-				Writer.Members({{"name", Field.Name},
-					{"display", MakeDisplayName(Field.Name, Field.Type == ESettingType::Bool)},
-					{"category", Field.Category}, {"type", ToString(Field.Type)}});
+				Writer.Members(
+					{{"name", Field.Name}, {"display", MakeDisplayName(Field.Name, Field.Type == ESettingType::Bool)},
+						{"category", Field.Category}, {"type", ToString(Field.Type)}});
 				Writer.Key("value").Raw(SettingToJson(Field, Field.Get(Values)));
 				Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
 				Writer.Key("start").Raw(SettingToJson(Field, Field.Get(Start)));
@@ -118,10 +133,10 @@ private:
 					Writer.Member("enum", Field.EnumNames);
 				}
 				const FEffect* const Owner = FindSettingOwner(Field.Name);
-				Writer.Members({{"unit", Field.Unit}, {"doc", Field.Doc},
-					{"effect", Owner != nullptr ? *Owner->Name : ""},
-					{"unread", Frame != nullptr ? ExplainUnread(Field.Name, *Frame) : ""},
-					{"plugin", Field.AddedId != 0 ? "added" : ""}});
+				Writer.Members(
+					{{"unit", Field.Unit}, {"doc", Field.Doc}, {"effect", Owner != nullptr ? *Owner->Name : ""},
+						{"unread", Frame != nullptr ? ExplainUnread(Field.Name, *Frame) : ""},
+						{"plugin", Field.AddedId != 0 ? "added" : ""}});
 				Writer.EndObject();
 			});
 	}
@@ -208,8 +223,7 @@ private:
 			return !Info.bNotSimulated;
 		}
 		const std::string Name = ToLowerCase(std::string(*Info.Name));
-		return std::ranges::any_of(
-			Effects, [&](const std::string& Effect) { return Name.starts_with("r." + Effect); });
+		return std::ranges::any_of(Effects, [&](const std::string& Effect) { return Name.starts_with("r." + Effect); });
 	}
 
 	void WriteVariables()
@@ -228,9 +242,12 @@ private:
 		Writer.Array("variables", ListConsoleVariables(),
 			[&](const FConsoleVariableInfo& Info)
 			{
-				Writer.Object({{"name", *Info.Name}, {"type", *Info.Type}, {"value", *Info.Value},
-					{"default", *Info.Default}, {"setBy", *Info.SetBy}, {"matters", DoesMatter(Info, Effects)},
-					{"doc", *Info.Help}});
+				Writer.BeginObject(true);
+				Writer.Members({{"name", *Info.Name}, {"type", *Info.Type}});
+				Writer.Key("value").Raw(MakeVariableJson(Info, Info.Value));
+				Writer.Key("default").Raw(MakeVariableJson(Info, Info.Default));
+				Writer.Members({{"setBy", *Info.SetBy}, {"matters", DoesMatter(Info, Effects)}, {"doc", *Info.Help}});
+				Writer.EndObject();
 			});
 	}
 

@@ -54,6 +54,20 @@ FColor ToLinear(FColor Color, EDisplayOutputFormat OutputDevice)
 	}
 }
 
+bool IsSrgb(EDisplayOutputFormat OutputDevice)
+{
+	return OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
+		   OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping;
+}
+
+/** The same as of a double: 255 times a float, and half of 1 more, are exact in a double where they are not far
+ * below 1.
+ */
+uint8_t ToByte(float Value)
+{
+	return static_cast<uint8_t>((Value > 0.0f ? std::min(static_cast<double>(Value), 1.0) : 0.0) * 255.0 + 0.5);
+}
+
 uint8_t ToByte(double Value)
 {
 	return ToInteger<uint8_t>(std::round((Value > 0.0 ? std::min(Value, 1.0) : 0.0) * 255.0));
@@ -112,8 +126,7 @@ void WritePreview(const std::string& Path, const TPicture& Picture)
 
 std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisplayOutputFormat OutputDevice)
 {
-	if (OutputDevice == EDisplayOutputFormat::SDR_sRGB ||
-		OutputDevice == EDisplayOutputFormat::SDR_ExplicitGammaMapping)
+	if (IsSrgb(OutputDevice))
 	{
 		return Color;
 	}
@@ -125,10 +138,21 @@ std::array<double, 3> MakeDisplayColor(const std::array<double, 3>& Color, EDisp
 void MakeDisplayRow(
 	const float* Row, int Width, int NumChannels, EDisplayOutputFormat OutputDevice, uint8_t* Bytes, int Step)
 {
+	if (IsSrgb(OutputDevice))
+	{
+		for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
+		{
+			for (int Channel = 0; Channel < 3; ++Channel)
+			{
+				Bytes[Channel] = ToByte(Row[Channel]);
+			}
+		}
+		return;
+	}
 	for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
 	{
-		std::ranges::transform(
-			MakeDisplayColor({double(Row[0]), double(Row[1]), double(Row[2])}, OutputDevice), Bytes, ToByte);
+		std::ranges::transform(MakeDisplayColor({double(Row[0]), double(Row[1]), double(Row[2])}, OutputDevice), Bytes,
+			[](double Value) { return ToByte(Value); });
 	}
 }
 

@@ -1,7 +1,7 @@
 // `drydock live`: the frame of a config in the browser, every setting a control, every change a new picture.
 #include "Config/ReadConfig.h"
 #include "EndAction.h"
-#include "Live/LiveErrors.h"
+#include "Live/LiveKeeper.h"
 #include "Live/LiveServer.h"
 #include "PostProcessSettingsReflection.h"
 #include "Program/ProgramFailure.h"
@@ -34,6 +34,7 @@ struct FLiveVerbOptions
 	std::string Replay; // record of a session; empty: none
 	int Port = 0;
 	bool bNoOpen = false;
+	bool bNoReuse = false;
 };
 
 /** A value of the command line as JSON: as it is where it is JSON, else as text. */
@@ -55,7 +56,7 @@ FConfigEdit MakeArgumentEdit(const std::string& Place, const std::string& Argume
 	return {Place + Argument.substr(0, Equals), MakeJsonValue(Argument.substr(Equals + 1))};
 }
 
-/** What the command line says, as edits of the config. */
+/** The command line as edits of the config. */
 std::vector<FConfigEdit> MakeEdits(const FRunOptions& Options)
 {
 	std::vector<FConfigEdit> Edits;
@@ -89,9 +90,9 @@ FEditHistory BeginHistory(const FLiveVerbOptions& Options)
  * user can read: everybody on the machine sees the arguments of a program. */
 void OpenBrowser(const std::string& Address, const FTemporaryFolder& Folder)
 {
-	const std::string File = Folder.WriteFile("live.html",
-		"<!doctype html><meta charset=\"utf-8\"><title>drydock live</title><meta http-equiv=\"refresh\" content=\"0;url=" +
-			Address + "\">\n");
+	const std::string File = Folder.WriteFile("live.html", "<!doctype html><meta charset=\"utf-8\"><title>drydock "
+														   "live</title><meta http-equiv=\"refresh\" content=\"0;url=" +
+															   Address + "\">\n");
 	posix_spawn_file_actions_t Actions;
 	posix_spawnattr_t Attributes;
 	posix_spawn_file_actions_init(&Actions);
@@ -120,31 +121,50 @@ bool HasDisplay()
 
 FLiveOptions MakeLiveOptions(const FLiveVerbOptions& Options, const std::string& ConfigFile)
 {
-	FLiveOptions Made{.Run = Options.Run, .OutputFolder = Options.OutputFolder, .Explain = ExplainFailure};
+	FLiveOptions Made{.Run = Options.Run,
+		.OutputFolder = Options.OutputFolder,
+		.Explain = [](const std::exception_ptr& Thrown)
+		{
+			return ExplainFailure(Thrown);
+		}};
 	Made.Run.ConfigFile = ConfigFile;
+	Made.bReuse = !Options.bNoReuse;
 	Made.Run.Variables.clear(); // the state has them
 	Made.Run.Settings.clear();
 	Made.Run.Engine.clear();
 	return Made;
 }
 
-int ServePage(const FLiveVerbOptions& Options)
+int ServePage(const FLiveVerbOptions& Options, const FLiveKeep& Keep)
 {
+	const std::optional<FLiveKeep::FDoor> Before = Keep.ReadDoor();
+	const std::optional<FEditHistory> History = Keep.ReadHistory();
+	FLiveOptions LiveOptions = MakeLiveOptions(Options, Options.Run.ConfigFile);
+	LiveOptions.Crash = Keep.ReadCrash();
+	LiveOptions.OnFrame = [&Keep](const FEditHistory& Shown)
+	{
+		Keep.Write(Shown);
+	};
 	FLiveEvents Events;
 	FLivePictures Pictures;
-	FLiveSession Session(MakeLiveOptions(Options, Options.Run.ConfigFile), BeginHistory(Options), Events, Pictures);
+	FLiveSession Session(LiveOptions, History ? *History : BeginHistory(Options), Events, Pictures);
 	Session.BeginRun(); // mistakes of the config, before anything starts
-	FLiveServer Server(Session, Events, Pictures, Options.Port);
+	FLiveServer Server(
+		Session, Events, Pictures, Before ? Before->Port : Options.Port, Before ? Before->Token : std::string());
 	const FEndAction SayBye(
 		[&Events]
 		{
 			Events.Close();
 			std::this_thread::sleep_for(std::chrono::milliseconds(50)); // until it is sent
 		});
-	PrintResult("live     " + Server.GetAddress() + "\n");
-	FlushOutput();
 	std::optional<FTemporaryFolder> Folder;
-	if (!Options.bNoOpen && HasDisplay())
+	if (!Before)
+	{
+		Keep.WriteDoor({Server.GetPort(), Server.GetToken()});
+		PrintResult("live     " + Server.GetAddress() + "\n");
+		FlushOutput();
+	}
+	if (!Before && !Options.bNoOpen && HasDisplay())
 	{
 		OpenBrowser(Server.GetAddress(), Folder.emplace());
 	}
@@ -159,8 +179,8 @@ int ReplaySession(const FLiveVerbOptions& Options)
 	{
 		throw BadArgument("the session is replayed as it was: leave out --set, --pp and --engine", "--replay");
 	}
-	const FEditHistory History =
-		FEditHistory::Replay(ReadTextFile(Options.Replay, "the record cannot be opened", MaxBinaryBytes), Options.Replay);
+	const FEditHistory History = FEditHistory::Replay(
+		ReadTextFile(Options.Replay, "the record cannot be opened", MaxBinaryBytes), Options.Replay);
 	const std::string ConfigFile = Options.Run.ConfigFile.empty() ? History.GetFile() : Options.Run.ConfigFile;
 	FRunOptions RunOptions = MakeLiveOptions(Options, ConfigFile).Run;
 	RunOptions.ConfigText = History.GetText();
@@ -182,7 +202,8 @@ int Live(const FLiveVerbOptions& Options)
 	{
 		throw BadArgument("is required: a JSON config, or --replay with the record of a session", "CONFIG");
 	}
-	return ServePage(Options);
+	const char* const Folder = FindLiveFolder();
+	return Folder == nullptr ? KeepLive() : ServePage(Options, FLiveKeep(Folder));
 }
 
 } // namespace
@@ -193,18 +214,22 @@ FVerbCall AddLiveOptions(FVerbOptions& Verb)
 	Verb.Add("CONFIG", Options->Run.ConfigFile, "JSON config, such as configs/toon_bloom.json");
 	Verb.Add("--port", Options->Port, "Port of 127.0.0.1; 0: a free one (default)").RequireRange(0, 65535).SetType("N");
 	Verb.AddFlag("--no-open", Options->bNoOpen, "Print the address, and open no browser");
+	Verb.AddFlag("--no-reuse", Options->bNoReuse,
+		"Run all passes of each frame, also those that no change reaches: slower, the same bits");
 	Verb.Add("--out", Options->OutputFolder,
-			"Folder in which configs may be saved, too; with --replay the folder for the outputs, by default out/NAME of "
+			"Folder in which configs may be saved, too; with --replay the folder for the outputs, by default out/NAME "
+			"of "
 			"the config")
 		.SetType("DIR");
 	Verb.Add("--replay", Options->Replay,
 			"Run the last state of a recorded session and write its outputs, without a browser; CONFIG is not needed")
 		.SetType("FILE");
-	Verb.AddRepeated(
-		"--set", "r.NAME=VALUE", Options->Run.Variables, "Begin with a console variable; repeats; the config has it then");
+	Verb.AddRepeated("--set", "r.NAME=VALUE", Options->Run.Variables,
+		"Begin with a console variable; repeats; the config has it then");
 	Verb.AddRepeated("--pp", "SETTING=VALUE", Options->Run.Settings,
 		"Begin with a post-process setting of the camera; repeats; the config has it then");
-	Verb.Add("--engine", Options->Run.Engine, "Begin with this engine version; the config has it then").SetType("VERSION");
+	Verb.Add("--engine", Options->Run.Engine, "Begin with this engine version; the config has it then")
+		.SetType("VERSION");
 	AddThreads(Verb, Options->Run, "Number of threads; 0: all cores (default). Every number gives the same bits");
 	AddTrust(Verb, Options->Run);
 	return CallWith(Options, Live);

@@ -7,6 +7,7 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "TextTools.h"
+#include "TileExecutor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,20 +152,32 @@ FDiagnostic DescribeSpread(const FNonFiniteSpread& Spread, const std::vector<FNo
 
 FNonFiniteCount CountNonFinite(const FPicture& Picture)
 {
-	FNonFiniteCount Found;
-	std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
-	for (int Y = 0; Y < Picture.Height && Picture.MayHoldNonFinite(); ++Y)
-	{
-		Picture.ReadRow(Y, Row.data());
-		for (size_t Index = 0; Index < Row.size(); ++Index)
+	constexpr int32 Rows = 32; // of a tile
+	const int32 NumRows = Picture.MayHoldNonFinite() ? Picture.Height : 0;
+	std::vector<FNonFiniteCount> Counts(static_cast<size_t>((NumRows + Rows - 1) / Rows));
+	ForEachTile(FKernelTile{0, 0, 0, 1, NumRows, 1}, FIntPoint(1, Rows),
+		[&](const FKernelTile& Tile)
 		{
-			if (!std::isfinite(Row[Index]))
+			FNonFiniteCount& Found = Counts[static_cast<size_t>(Tile.MinY / Rows)];
+			std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
+			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
 			{
-				Found.Add(static_cast<int>(Index) / Picture.NumChannels, Y);
+				Picture.ReadRow(Y, Row.data());
+				for (size_t Index = 0; Index < Row.size(); ++Index)
+				{
+					if (!std::isfinite(Row[Index]))
+					{
+						Found.Add(static_cast<int>(Index) / Picture.NumChannels, Y);
+					}
+				}
 			}
-		}
+		});
+	FNonFiniteCount All;
+	for (const FNonFiniteCount& Found : Counts)
+	{
+		All.Add(Found);
 	}
-	return Found;
+	return All;
 }
 
 FDiagnostic DescribeNonFinite(const FNonFiniteChannel& Channel, const std::string& File)

@@ -313,6 +313,7 @@ FRendered RenderScene(const FRunOptions& Options, const FRunSetup& Setup, const 
 	Scene.SetResolution(GetScreenPercentage(Setup.Settings), MakeRegions(Setup, Scene));
 	FRendered Rendered{MakeResult(Setup, Scene), {}};
 	FRunResult& Result = Rendered.Result;
+	Scene.UseKeptTextures(MakePackContext(Setup.Config, Result.ViewRect));
 	RunGraph(Options, Setup, Scene, Before, Result);
 	Result.Channels = Scene.GetChannels();
 	for (const FRDGCompiledResource& Resource : Result.Graph.Resources)

@@ -55,6 +55,11 @@ std::string FingerprintTexture(FRHITexture& Texture)
 
 } // namespace
 
+FScenePackContext MakePackContext(const FConfig& Config, const FIntRect& ViewRect)
+{
+	return {static_cast<float>(Config.View.PreExposure.Value), ViewRect.Size(), Config.Scene.Units};
+}
+
 FRunObserver::FRunObserver(
 	const FRunOptions& InOptions, const FRunSetup& InSetup, FSceneFile& InScene, FRunResult& InResult)
 	: Options(InOptions)
@@ -73,6 +78,13 @@ void FRunObserver::OnGraphCompiled(const FRDGCompiledGraph& Graph)
 		if (!Pass.bCulled && !Pass.bIsSentinel)
 		{
 			ToExecute.push_back(static_cast<size_t>(Pass.Index));
+		}
+		for (const FRDGUse& Use : Pass.Uses)
+		{
+			if (Use.IsWrite())
+			{
+				Scene.ForgetKept(Graph.Resources[static_cast<size_t>(Use.Resource)].Name);
+			}
 		}
 	}
 	ReportProgress();
@@ -111,8 +123,7 @@ void FRunObserver::OnLoadExternals(const std::vector<FRDGExternalLoad>& Loads)
 {
 	const auto Begin = std::chrono::steady_clock::now();
 	const std::vector<FNeededSceneTexture> Needed = FindNeeded(Loads);
-	Scene.Load(Needed,
-		{static_cast<float>(Setup.Config.View.PreExposure.Value), Result.ViewRect.Size(), Setup.Config.Scene.Units});
+	Scene.Load(Needed, MakePackContext(Setup.Config, Result.ViewRect));
 	Result.Times.Load += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 	ReportAbsent(Loads);
 	for (const FNeededSceneTexture& Texture : Needed)

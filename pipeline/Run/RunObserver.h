@@ -14,6 +14,9 @@ namespace Drydock
 struct FRunOptions;
 struct FRunSetup;
 
+/** The context of a config's scene textures. ViewRect: of all views. */
+FScenePackContext MakePackContext(const FConfig& Config, const FIntRect& ViewRect);
+
 /** Loads what the compiled graph needs, keeps what is dumped, and notes what each pass cost. All outlive it. */
 class FRunObserver final : public IRDGObserver
 {

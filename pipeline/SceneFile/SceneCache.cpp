@@ -13,6 +13,8 @@ void FSceneCache::Begin(const std::string& Path)
 	{
 		State = Now;
 		Planes.clear();
+		Textures.clear();
+		Contents.clear();
 	}
 }
 
@@ -25,6 +27,33 @@ FSceneCache::FPlane FSceneCache::Find(int Channel) const
 void FSceneCache::Keep(int Channel, FPlane Plane)
 {
 	Planes[Channel] = std::move(Plane);
+}
+
+const FKeptSceneTexture* FSceneCache::FindTexture(const std::string& Name, const std::string& Key) const
+{
+	const auto Found = Textures.find(Name);
+	return Found == Textures.end() || Found->second.Key != Key ? nullptr : &Found->second;
+}
+
+void FSceneCache::KeepTexture(const std::string& Name, FKeptSceneTexture Texture)
+{
+	Textures[Name] = std::move(Texture);
+}
+
+std::optional<FViewContent> FSceneCache::FindContent(const std::string& Key) const
+{
+	const auto Found = Contents.find(Key);
+	return Found == Contents.end() ? std::nullopt : std::optional(Found->second);
+}
+
+void FSceneCache::KeepContent(const std::string& Key, const FViewContent& Content)
+{
+	constexpr size_t Most = 64;
+	if (Contents.size() >= Most)
+	{
+		Contents.clear();
+	}
+	Contents[Key] = Content;
 }
 
 } // namespace Drydock

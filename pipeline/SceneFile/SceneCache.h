@@ -1,18 +1,32 @@
-// Decoded channels of scene files that several runs in a row read: those of a study, and those that follow edits.
+// Keeps of a scene file what several runs in a row need, such as those of a study and those that follow edits: decoded
+// channels, scene textures made of them, and what was measured on them.
 #pragma once
 
 #include "DrydockAPI.h"
 #include "Picture/ImageReader.h"
+#include "RHITexture.h"
+#include "SceneFile/NonFinite.h"
+#include "SceneFile/ViewContent.h"
 
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Drydock
 {
 
-/** Holds the channels of one file, until the file changes or another is read. One thread at a time. */
+/** A scene texture with all its texels. */
+struct FKeptSceneTexture
+{
+	std::string Key; // of all that decides the texels
+	TRefCountPtr<FRHITexture> Texture;
+	std::vector<FNonFiniteChannel> NonFinite; // found on the way
+};
+
+/** Holds what belongs to one file, until the file changes or another is read. One thread at a time. */
 class DRYDOCK_API FSceneCache
 {
 public:
@@ -26,6 +40,17 @@ public:
 
 	void Keep(int Channel, FPlane Plane);
 
+	/** The texture of that name; null where it is not here, or where another key decides its texels. */
+	const FKeptSceneTexture* FindTexture(const std::string& Name, const std::string& Key) const;
+
+	/** In place of the one that it has of this name. Nobody writes to it as long as it is here: see ForgetTexture. */
+	void KeepTexture(const std::string& Name, FKeptSceneTexture Texture);
+	void ForgetTexture(const std::string& Name) { Textures.erase(Name); }
+
+	/** Key: of all that decides the answers, for the channels that are here. */
+	std::optional<FViewContent> FindContent(const std::string& Key) const;
+	void KeepContent(const std::string& Key, const FViewContent& Content);
+
 private:
 	struct FState
 	{
@@ -38,6 +63,8 @@ private:
 
 	FState State;
 	std::map<int, FPlane> Planes;
+	std::map<std::string, FKeptSceneTexture> Textures; // by name
+	std::map<std::string, FViewContent> Contents;
 };
 
 } // namespace Drydock

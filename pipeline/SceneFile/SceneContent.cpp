@@ -4,6 +4,7 @@
 #include "Math/ToInteger.h"
 #include "SceneFile/ChannelValues.h"
 #include "SceneFile/SceneFile.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 
@@ -71,26 +72,20 @@ FIntRect MapBounds(const FIntRect& Bounds, const FSceneRegion& Region)
 	return Region.Source.Size() == Size ? Bounds - Region.Source.Min : FIntRect(FIntPoint::ZeroValue, Size);
 }
 
-FViewContent MeasureViewContent(FSceneFile& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions)
+namespace
 {
-	std::vector<std::string> Names;
-	const auto Ask = [&](bool bAsked, std::initializer_list<const char*> Channels)
-	{
-		Names.insert(Names.end(), Channels.begin(), bAsked ? Channels.end() : Channels.begin());
-	};
-	Ask(Questions.bToon, {"shadingmodel.ID"});
-	Ask(Questions.bGlowMask, {"custommask.B"});
-	Ask(Questions.bStill, {"velocity.X", "velocity.Y"});
-	Ask(Questions.bBrightest, {"R", "G", "B"});
-	const std::map<std::string, FChannelValues> Channels = Scene.ReadChannels(Names);
+
+/** Answers from these channels. */
+FViewContent MeasureChannels(
+	const std::map<std::string, FChannelValues>& Channels, const FSceneRegion& Region, FIntPoint Size)
+{
 	const auto Has = [&](std::initializer_list<const char*> Asked)
 	{
 		return std::all_of(Asked.begin(), Asked.end(), [&](const char* Name) { return Channels.count(Name) > 0; });
 	};
 
-	const FSceneRegion Region = Scene.FindRegion(ViewRect);
 	FViewContent Content;
-	Content.Size = ViewRect.Size();
+	Content.Size = Size;
 	if (Has({"shadingmodel.ID"}))
 	{
 		const FChannelValues& Ids = Channels.at("shadingmodel.ID");
@@ -113,6 +108,55 @@ FViewContent MeasureViewContent(FSceneFile& Scene, const FIntRect& ViewRect, con
 		Content.Brightest = FindBrightest({Channels.at("R"), Channels.at("G"), Channels.at("B")}, Region.Source);
 	}
 	return Content;
+}
+
+/** Everything that MeasureChannels reads. A plane is known by its address as long as the cache holds it. */
+std::string MakeKey(const std::map<std::string, FChannelValues>& Channels, const FSceneRegion& Region)
+{
+	std::string Key;
+	for (const FIntRect& Rect : {Region.Source, Region.Target})
+	{
+		for (const int32 Edge : {Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y})
+		{
+			Key += std::to_string(Edge) + " ";
+		}
+	}
+	for (const auto& [Name, Values] : Channels)
+	{
+		Key += Name + " " + std::to_string(reinterpret_cast<uintptr_t>(Values.Values)) + " " +
+			   NumberText(Values.Constant) + (Values.bZeroNonFinite ? " zero " : " ");
+	}
+	return Key;
+}
+
+} // namespace
+
+FViewContent MeasureViewContent(FSceneFile& Scene, const FIntRect& ViewRect, const FContentQuestions& Questions)
+{
+	std::vector<std::string> Names;
+	const auto Ask = [&](bool bAsked, std::initializer_list<const char*> Channels)
+	{
+		Names.insert(Names.end(), Channels.begin(), bAsked ? Channels.end() : Channels.begin());
+	};
+	Ask(Questions.bToon, {"shadingmodel.ID"});
+	Ask(Questions.bGlowMask, {"custommask.B"});
+	Ask(Questions.bStill, {"velocity.X", "velocity.Y"});
+	Ask(Questions.bBrightest, {"R", "G", "B"});
+	const std::map<std::string, FChannelValues> Channels = Scene.ReadChannels(Names);
+	const FSceneRegion Region = Scene.FindRegion(ViewRect);
+	FSceneCache* const Cache = Scene.GetCache();
+	if (Cache == nullptr)
+	{
+		return MeasureChannels(Channels, Region, ViewRect.Size());
+	}
+	const std::string Key = MakeKey(Channels, Region);
+	std::optional<FViewContent> Content = Cache->FindContent(Key);
+	if (!Content)
+	{
+		Content = MeasureChannels(Channels, Region, ViewRect.Size());
+		Cache->KeepContent(Key, *Content);
+	}
+	return *Content;
 }
 
 } // namespace Drydock

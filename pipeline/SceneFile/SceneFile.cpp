@@ -9,6 +9,7 @@
 #include "SceneFile/SceneCheck.h"
 #include "SceneFile/SceneFill.h"
 #include "SceneFile/SceneLight.h"
+#include "Text/TextFormat.h"
 
 #include <algorithm>
 #include <set>
@@ -67,7 +68,64 @@ FRDGTextureRef FSceneFile::Register(FRDGBuilder& GraphBuilder, const FScenePacki
 	TRefCountPtr<FRHITexture>& Texture = Textures[Packing.Name];
 	Texture = new FRHITexture(
 		FRHITextureDesc::Create2D(GetExtent(), Packing.Format, FClearValueBinding::Black, Packing.Flags), Packing.Name);
+	if (Cache != nullptr && KeptContext)
+	{
+		const std::string Key = Keys[Packing.Name] = MakeKey(Packing, *Texture);
+		if (const FKeptSceneTexture* const Known = Cache->FindTexture(Packing.Name, Key))
+		{
+			Texture = Known->Texture;
+			Kept[Packing.Name] = Known->NonFinite;
+		}
+	}
 	return GraphBuilder.RegisterExternalTexture(CreateRenderTarget(Texture, Packing.Name), Packing.Name);
+}
+
+void FSceneFile::UseKeptTextures(const FScenePackContext& Context)
+{
+	KeptContext = Context;
+	if (Cache != nullptr)
+	{
+		Cache->Begin(File.GetPath());
+	}
+}
+
+void FSceneFile::ForgetKept(const std::string& Texture)
+{
+	Keys.erase(Texture);
+	if (Cache != nullptr)
+	{
+		Cache->ForgetTexture(Texture);
+	}
+}
+
+/** Everything that FillSceneTexture reads, as text. */
+std::string FSceneFile::MakeKey(const FScenePacking& Packing, const FRHITexture& Texture) const
+{
+	std::string Key;
+	const auto Add = [&Key](const auto&... Values)
+	{
+		((Key += NumberText(static_cast<double>(Values)) + " "), ...);
+	};
+	const auto AddRect = [&](const FIntRect& Rect)
+	{
+		Add(Rect.Min.X, Rect.Min.Y, Rect.Max.X, Rect.Max.Y);
+	};
+	Add(static_cast<int>(Texture.GetStorage()), GetExtent().X, GetExtent().Y, Config.Padding.Left, Config.Padding.Top);
+	Add(static_cast<int>(GetNonFinitePolicy()), GetSceneColorClamp(), KeptContext->PreExposure, KeptContext->ViewSize.X,
+		KeptContext->ViewSize.Y);
+	const FSceneUnits& Units = KeptContext->Units;
+	Add(Units.bDepthInCentimetres, Units.bVelocityIsNdc, Units.bNormalIsLeftHanded);
+	for (const FSceneRegion& Region : GetRegions())
+	{
+		AddRect(Region.Source);
+		AddRect(Region.Target);
+	}
+	for (const FScenePackChannel& Channel : Packing.Channels)
+	{
+		const FSource Source = Channel.Name != nullptr ? FindSource(Channel).value_or(FSource()) : FSource();
+		Add(Source.FileChannel, Source.Default);
+	}
+	return Key;
 }
 
 void FSceneFile::SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions)
@@ -298,6 +356,11 @@ std::vector<FSceneFile::FFill> FSceneFile::PlanFills(const std::vector<FNeededSc
 		{
 			Filled[Texture.Texture] = true;
 			CountDecoded(Fill->Sources);
+			if (const auto Known = Kept.find(Texture.Texture); Known != Kept.end())
+			{
+				NonFinite.insert(NonFinite.end(), Known->second.begin(), Known->second.end());
+				continue;
+			}
 			Fills.push_back(std::move(*Fill));
 		}
 	}
@@ -357,6 +420,7 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 			{Source.FileChannel >= 0 ? Planes.at(Source.FileChannel).get() : nullptr, Source.Default});
 	}
 	const FNonFiniteSlots Counts = FillSceneTexture(*Fill.Texture, Inputs);
+	std::vector<FNonFiniteChannel> Found;
 	FNonFiniteChannel Color{SceneColorWhere, {}};
 	for (size_t Slot = 0; Slot < Fill.Sources.size(); ++Slot)
 	{
@@ -367,12 +431,17 @@ void FSceneFile::Fill(const FFill& Fill, const FScenePackContext& Context)
 		else if (Counts[Slot].Count > 0)
 		{
 			const size_t FileChannel = static_cast<size_t>(Fill.Sources[Slot].FileChannel);
-			NonFinite.push_back({"channel " + File.GetChannels()[FileChannel], Counts[Slot]});
+			Found.push_back({"channel " + File.GetChannels()[FileChannel], Counts[Slot]});
 		}
 	}
 	if (Color.Found.Count > 0)
 	{
-		NonFinite.push_back(Color);
+		Found.push_back(Color);
+	}
+	NonFinite.insert(NonFinite.end(), Found.begin(), Found.end());
+	if (const auto Key = Keys.find(Fill.Packing->Name); Key != Keys.end())
+	{
+		Cache->KeepTexture(Fill.Packing->Name, {Key->second, Fill.Texture, Found});
 	}
 }
 

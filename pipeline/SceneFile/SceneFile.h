@@ -43,6 +43,16 @@ public:
 	 * outside of them is padding. Before RegisterTextures; none, and 100: as the file is. */
 	void SetResolution(double InScreenPercentage, std::vector<FSceneRegion> InRegions);
 
+	/** Before RegisterTextures, with the context that Load will have: textures that the cache holds filled in the same
+	 * way are registered as they are. */
+	void UseKeptTextures(const FScenePackContext& Context);
+
+	/** A pass of the graph writes to this texture, so that no other frame may use it. */
+	void ForgetKept(const std::string& Texture);
+
+	/** Null: nothing is kept. */
+	FSceneCache* GetCache() const { return Cache; }
+
 	/** Extent of the scene textures: the picture and its padding. */
 	FIntPoint GetExtent() const;
 
@@ -125,6 +135,7 @@ private:
 	void ReadPlanes(const std::vector<int>& FileChannels);
 	void CountDecoded(const std::vector<FSource>& Sources);
 	void Fill(const FFill& Fill, const FScenePackContext& Context);
+	std::string MakeKey(const FScenePacking& Packing, const FRHITexture& Texture) const;
 	std::vector<FSceneRegion> GetRegions() const;
 
 	std::deque<FOwnTexture> OwnTextures; // never moved
@@ -139,7 +150,10 @@ private:
 	std::vector<FSceneChannel> Channels;
 	std::map<std::string, TRefCountPtr<FRHITexture>> Textures;
 	std::map<std::string, bool> Filled;
-	FPlanes Planes; // read and not yet loaded
+	std::optional<FScenePackContext> KeptContext; // of UseKeptTextures
+	std::map<std::string, std::string> Keys;      // by texture, where textures are kept; of one that was written: none
+	std::map<std::string, std::vector<FNonFiniteChannel>> Kept; // textures that came filled, and what was found in them
+	FPlanes Planes;                                             // read and not yet loaded
 	std::vector<FNonFiniteChannel> NonFinite;
 };
 

@@ -26,6 +26,17 @@ export function el<T extends Element = HTMLElement>(
 	return element as unknown as T;
 }
 
+const filled = new WeakMap<Element, string>();
+
+/** Fills an element anew where the data of its children changed; else focus and what is open stay. */
+export function refill(box: Element, data: unknown, make: () => Node[]): void {
+	const key = JSON.stringify(data);
+	if (filled.get(box) !== key) {
+		filled.set(box, key);
+		box.replaceChildren(...make());
+	}
+}
+
 export function section(id: string, title: string, note: string, ...children: Child[]): HTMLElement {
 	return el("section", { id, "aria-labelledby": id + "-title" },
 		el("header", {}, el("h2", { id: id + "-title" }, title), note ? el("p", { class: "note" }, note) : null),

@@ -80,7 +80,10 @@ function makeReport(frame, state) {
 		timing: { threads: 2, cpu: "mock", passes: frame.passes, startMs: 0, setupMs: 1, loadMs: 1, compileMs: 1, executeMs: 5, reportMs: 0, saveMs: 0, wallMs: 8 },
 		graph: { name: "mock", passes, resources: [resource(0, "SceneColor", true), resource(1, "BloomSetup"), resource(2, "BloomBlur"), resource(3, "Final"), ...["Flare", "Ghosts", "Halo", "Exposure"].map((name, i) => resource(4 + i, name))], memory: { transientPeakBytes: 4147200 * 5, withoutAliasingBytes: 4147200 * 6 } },
 		passes: passes.map(({ index }) => ({ index, shaderFile: "/Engine/Private/Mock.usf", parameters: [{ name: "Scale", type: "float", value: "1" }] })),
-		settings: [], nonFinite: { passes: [] }, pictures: [], thumbnailsLeftOut: 0,
+		settings: [], nonFinite: { passes: [] }, pictures: [["BloomSetup", 1], ["BloomBlur", 2]].map(([resource, of]) => ({
+			id: `thumbnail.${of}`, role: "thumbnail", label: resource, pass: of, resource, mip: 0, extent: [1, 1], corner: [0, 0], size: [1, 1], channels: ["R", "G", "B"], encoding: "compressed",
+			png: "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==",
+		})), thumbnailsLeftOut: 0,
 	};
 }
 
@@ -175,6 +178,9 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 			for (const edit of body.edits) {
 				if (edit.set?.endsWith("Intensity") && typeof edit.value !== "number") {
 					return refuse(422, `${edit.set} must be a number`);
+				}
+				if (edit.set?.startsWith("/cvars/") && typeof edit.value !== "number") {
+					return refuse(422, `${edit.set.slice(7)} must be a whole number, but is "${edit.value}"`);
 				}
 				if (edit.set?.endsWith("BloomThreshold") && edit.value > 100) {
 					return refuse(422, "BloomThreshold is too large for the mock");

@@ -1,5 +1,6 @@
 // A plugin that goes wrong in whatever way and place the environment variable DRYDOCK_TEST_CRASH names ("KIND at
-// PLACE"): PluginCrashTest.cpp runs the program with it.
+// PLACE"), and if DRYDOCK_TEST_CRASH_IF names a console variable, while that is not 0: PluginCrashTest.cpp and
+// LiveCrashTest.cpp run the program with it.
 #include "HAL/IConsoleManager.h"
 #include "Modules/ModuleManager.h"
 #include "PostProcess/PostProcessing.h"
@@ -138,6 +139,11 @@ void Crash(const char* Kind)
 void CrashAt(const char* Place)
 {
 	const char* const Wanted = std::getenv("DRYDOCK_TEST_CRASH");
+	const char* const Only = std::getenv("DRYDOCK_TEST_CRASH_IF"); // a console variable that is not 0
+	if (Only != nullptr && IConsoleManager::Get().FindConsoleVariable(Only)->GetInt() == 0)
+	{
+		return;
+	}
 	const std::string Text = Wanted != nullptr ? Wanted : "";
 	const size_t At = Text.find(" at ");
 	if (At != std::string::npos && Text.compare(At + 4, std::string::npos, Place) == 0)

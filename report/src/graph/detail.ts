@@ -6,7 +6,6 @@ import { GraphFacts, isMerged, isUnread, whyPass, whyResource } from "./why";
 
 export interface DetailActions {
 	showPicture: (id: string) => void;
-	fetch?: (pass: number, resource: string) => void;
 	selectPass: (index: number) => void;
 	selectTexture: (pass: number, resource: number) => void;
 	close: () => void;

@@ -22,8 +22,7 @@ export class GraphPanel {
 	private resource = -1; // where a texture is shown: its
 	private flow = false;
 
-	/** Fetch: shows a texture as it was after a pass, where a server has it. */
-	constructor(private report: Report, private readonly showPicture: (id: string) => void, private readonly fetch?: (pass: number, resource: string) => void) {
+	constructor(private report: Report, private readonly showPicture: (id: string) => void) {
 		this.facts = gatherFacts(report);
 		this.heap = drawHeap(report, this.facts);
 		this.search = el<HTMLInputElement>("input", { type: "search", id: "search", placeholder: "Pass, resource, shader  ( / )", "aria-label": "Search the graph", oninput: () => this.mark() });
@@ -83,7 +82,6 @@ export class GraphPanel {
 		const texture = this.facts.resources.find((one) => one.index === resource);
 		const actions = {
 			showPicture: this.showPicture,
-			fetch: this.fetch,
 			selectPass: (other: number) => this.select(other),
 			selectTexture: (other: number, of: number) => this.select(other, of),
 			close: () => {

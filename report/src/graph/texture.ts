@@ -36,7 +36,6 @@ export function describeTexture(report: Report, facts: GraphFacts, pass: GraphPa
 		el("p", { class: "why" }, "At pass ", name(pass), ...(writer === pass ? [", which wrote it."] : writer ? [", written by ", name(writer), "."] : [", from outside the graph."])),
 		shown ? el("button", { type: "button", class: "look", "data-tip": "In the viewer", onclick: () => actions.showPicture(shown.id) },
 			el("img", { src: pictureUrl(shown), alt: shown.label }))
-			: actions.fetch && resource.kind === "texture" && !pass.culled ? el("button", { type: "button", class: "fetch", onclick: () => actions.fetch!(writer?.index ?? 0, resource.name) }, "Show it in the viewer")
 			: el("p", { class: "quiet" }, resource.kind === "buffer" ? "A buffer has no picture." : pass.culled ? "The pass did not run." : `The page has no picture of it; --dump '${writer ? "" : "External."}${resource.name}' adds one.`),
 		shown?.role === "thumbnail" ? el("p", { class: "quiet" }, "A thumbnail, and its values in eight bits.") : null, plot,
 		el("dl", {}, rows.flatMap(([title, text]) => [el("dt", {}, title), el("dd", {}, text)])));

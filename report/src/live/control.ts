@@ -2,7 +2,7 @@
 import { el } from "../dom";
 import { number } from "../format";
 import { linearToSrgb, srgbToLinear } from "../picture/pixels";
-import { Json } from "./data";
+import { Json, Message } from "./data";
 
 export interface ControlOptions {
 	id: string;
@@ -22,6 +22,16 @@ export interface Control {
 	show: (value: Json) => void;
 }
 
+/** The line under a control with the fault of a value; an empty one goes away. */
+export function makeFault(): { element: HTMLElement; say: (text: string) => void; refused: (messages: Message[]) => void } {
+	const element = el("p", { class: "refused", role: "alert", hidden: true });
+	const say = (text: string) => {
+		element.textContent = text;
+		element.hidden = !text;
+	};
+	return { element, say, refused: (messages) => say(messages.map((one) => [one.code, one.message].filter(Boolean).join(": ")).join(" ")) };
+}
+
 let drags = 0;
 
 export function startDrag(): string {
@@ -35,7 +45,7 @@ function findStep(low: number, high: number): number {
 	return unit * [1, 2, 5, 10].find((factor) => factor * unit >= rough * 0.999)!;
 }
 
-/** Parses what a person typed: a number, or the sentence that says why not. */
+/** Parses what a person typed: a number, or the sentence with its fault. */
 function parse(text: string, options: ControlOptions): number | string {
 	const value = text.trim() === "" ? NaN : Number(text);
 	const { clampMin: least = null, clampMax: most = null } = options.range ?? {};
@@ -50,31 +60,28 @@ function parse(text: string, options: ControlOptions): number | string {
 
 /** A field whose text is sent when it is left or Enter is pressed. */
 function makeField(options: ControlOptions, label: string, css: string, read: (text: string) => string | null): { input: HTMLInputElement; show: (text: string) => void } {
-	let last = "";
 	const input = el<HTMLInputElement>("input", {
 		type: "text", class: css, "aria-label": label, spellcheck: "false", autocomplete: "off", inputmode: css === "number-box" ? "decimal" : undefined,
 		onchange: () => {
 			options.refuse("");
 			const fault = read(input.value);
 			input.setAttribute("aria-invalid", String(!!fault));
-			if (fault) {
-				options.refuse(fault);
-			}
-			last = fault === null ? input.value : last;
+			fault ? options.refuse(fault) : (input.defaultValue = input.value);
 		},
 		onkeydown: (event: KeyboardEvent) => {
-			if (event.key === "Escape" && input.value !== last) {
+			if (event.key === "Escape" && input.value !== input.defaultValue) {
 				event.preventDefault();
-				show(last);
+				put(input.defaultValue);
 				options.refuse("");
 			}
 		},
 	});
-	const show = (text: string) => {
-		[last, input.value] = [text, text];
+	const put = (text: string) => {
+		[input.defaultValue, input.value] = [text, text]; // the default: as it was sent or came
 		input.setAttribute("aria-invalid", "false");
 	};
-	return { input, show: (text) => (document.activeElement === input && input.value !== last) || input.getAttribute("aria-invalid") === "true" ? undefined : show(text) };
+	const typed = () => (document.activeElement === input && input.value !== input.defaultValue) || input.getAttribute("aria-invalid") === "true";
+	return { input, show: (text) => (typed() ? undefined : put(text)) };
 }
 
 function makeNumber(options: ControlOptions): Control {

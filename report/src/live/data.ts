@@ -1,4 +1,4 @@
-// What `drydock live` says of its session: the types of its answers (docs/live.md) that the page reads.
+// The types of the answers of `drydock live` (docs/live.md) that the page reads.
 import { Effect } from "../data";
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
@@ -90,7 +90,6 @@ export interface State {
 	showFlags: Variable[];
 	pins: { pin: number; name: string; revision: number }[];
 	dots: Dot[];
-	files: string[];
 	frame: Frame | null;
 	fault: { messages: Message[] } | null;
 }
@@ -100,11 +99,7 @@ export function escapeKey(key: string): string {
 	return key.replaceAll("~", "~0").replaceAll("/", "~1");
 }
 
-/** Where a setting stands in the config: of a volume, or with -1 of the camera. */
+/** The place of a setting in the config: of a volume, or with -1 of the camera. */
 export function pointTo(volume: number, setting: string): string {
 	return `${volume < 0 ? "/camera" : `/volumes/${volume}`}/Settings/${escapeKey(setting)}`;
-}
-
-export function joinMessages(messages: Message[]): string {
-	return messages.map((one) => [one.code, one.message].filter(Boolean).join(": ")).join(" ");
 }

@@ -1,5 +1,6 @@
 // The dialogs: save as a config, copy as text, end the server; and the download of the session.
 import { el } from "../dom";
+import { makeFault } from "./control";
 import { Refusal, getText, post } from "./server";
 
 function makeDialog(id: string, title: string, ...parts: (Node | string)[]): HTMLDialogElement {
@@ -18,24 +19,21 @@ export function opener(id: string, label: string, tip: string, dialog: HTMLDialo
 
 /** Saved: is told the path of the config that was written. */
 export function makeSave(suggest: () => string, saved: (path: string) => void): HTMLElement {
-	let asked = ""; // the existing file about which the question stands
-	const said = el("p", { role: "alert", class: "refused", hidden: true });
-	const path = el<HTMLInputElement>("input", { type: "text", id: "save-path", class: "text-box", autocomplete: "off", oninput: () => ask("", "") });
+	const fault = makeFault();
+	const path = el<HTMLInputElement>("input", { type: "text", id: "save-path", class: "text-box", autocomplete: "off", oninput: () => ask("", false) });
 	const again = el("button", { id: "save-again", type: "button", hidden: true, onclick: () => void save(true) }, "Save over it");
-	const ask = (message: string, file: string) => {
-		asked = file;
-		said.textContent = message;
-		said.hidden = !message;
-		again.hidden = !asked;
+	const ask = (message: string, exists: boolean) => {
+		fault.say(message);
+		again.hidden = !exists; // a second question, about this file
 	};
 	const save = async (over: boolean) => {
 		try {
-			const answer = await post<{ saved: string }>("save", { path: path.value, again: over && asked === path.value });
+			const answer = await post<{ saved: string }>("save", { path: path.value, again: over });
 			dialog.close();
 			saved(answer.saved);
 		} catch (refusal) {
 			const exists = (refusal as Refusal).status === 409;
-			ask(exists ? `${path.value} exists already. Save over it?` : (refusal as Refusal).message, exists ? path.value : "");
+			ask(exists ? `${path.value} exists already. Save over it?` : (refusal as Refusal).message, exists);
 		}
 	};
 	const dialog = makeDialog("save", "Save as a config",
@@ -43,11 +41,11 @@ export function makeSave(suggest: () => string, saved: (path: string) => void): 
 			event.preventDefault();
 			void save(false);
 		} },
-			el("label", { for: "save-path" }, "File, beside the config or below --out"), path, said,
+			el("label", { for: "save-path" }, "File, beside the config or below --out"), path, fault.element,
 			el("div", { class: "dialog-buttons" }, el("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), again, el("button", { type: "submit", id: "save-now" }, "Save"))));
 	return opener("show-save", "Save…", "Writes this state as a config that `drydock run` takes", dialog, () => {
 		path.value ||= suggest();
-		ask("", "");
+		ask("", false);
 	});
 }
 

@@ -16,6 +16,7 @@ export class Frames {
 	shown = -1; // revision
 	private now: Promise<Pixels>;
 	private wanted = -1;
+	private refined = -1;
 	private loading = false;
 	private readonly kept = new Map<string, Promise<Pixels>>();
 	private passes: PictureData[] = [];
@@ -32,17 +33,15 @@ export class Frames {
 	/** After the state's pins changed. */
 	update(state: State): void {
 		this.listStates(state);
+		[...this.kept.keys()].filter((id) => !this.states.some((one) => one.id === id)).forEach((id) => this.kept.delete(id)); // pins that went
 		this.panel.setList([...this.states, ...this.passes]);
 	}
 
 	/** A frame was computed: its picture is drawn, or that of a newer one. */
 	async show(revision: number): Promise<void> {
 		this.wanted = Math.max(this.wanted, revision);
-		if (this.loading) {
-			return;
-		}
-		this.loading = true;
-		while (this.shown < this.wanted) {
+		for (; !this.loading && this.shown < this.wanted; this.loading = false) {
+			this.loading = true;
 			const wanted = this.wanted;
 			try {
 				const pixels = await getPicture(wanted, "kind=final8").catch(() => getPicture("now", "kind=final8"));
@@ -55,12 +54,15 @@ export class Frames {
 				this.failed((refusal as Error).message);
 			}
 		}
-		this.loading = false;
 	}
 
 	/** The hand rests: the numbers of what is shown. */
 	async refine(): Promise<void> {
 		const revision = this.shown;
+		if (revision === this.refined) {
+			return;
+		}
+		this.refined = revision;
 		const pixels = await getBoth(revision).catch(() => null);
 		if (pixels && revision === this.shown) {
 			this.now = Promise.resolve(pixels);

@@ -1,6 +1,6 @@
 // Builds the page of `drydock live`: the picture at the left, all that can be changed at the right, the graph below.
 import { Report } from "../data";
-import { el, installTips, makeTheme } from "../dom";
+import { el, installTips, makeTheme, refill } from "../dom";
 import { count, ms } from "../format";
 import { GraphPanel } from "../graph/panel";
 import { listenKeys, makeKeys } from "../sections/about";
@@ -9,7 +9,7 @@ import { makeCopy, makeDownload, makeEnd, makeSave } from "./dialogs";
 import { Frames } from "./frames";
 import { PassesPanel } from "./passes";
 import { PricePanel } from "./price";
-import { Hand, Refusal, get, getText, listen, post } from "./server";
+import { Hand, Refusal, get, listen, post } from "./server";
 import { SettingsPanel } from "./settings";
 import { makeTabs } from "./tabs";
 import { VariablesPanel } from "./variables";
@@ -33,10 +33,12 @@ class LivePage {
 	private readonly status = el("p", { class: "live-status", id: "status" });
 	private readonly latency = el("span", { id: "latency" });
 	private readonly figures = el("span", { id: "figures" });
-	private readonly notes = el("details", { class: "frame-notes", hidden: true });
+	private readonly notesTitle = el("summary", {});
+	private readonly notesBox = el("div", { class: "faults" });
+	private readonly notes = el("details", { class: "frame-notes", hidden: true }, this.notesTitle, this.notesBox);
 	private readonly pins = el("span", { class: "pins" });
-	private readonly probeText = el("div", { class: "probe-text", id: "probe-text", hidden: true });
-	private readonly probeButton: HTMLElement;
+	private readonly probeText = el("div", { class: "probe-text", id: "probe-text" }, el("p", { class: "quiet" }, "Click a texel, or mark one with shift and arrows and press Enter; once more: line by line."));
+	private readonly probeFold = el<HTMLDetailsElement>("details", { id: "probe-fold" }, el("summary", {}, "How a texel came about"), this.probeText);
 	private readonly buttons: Record<"undo" | "redo" | "reset", HTMLButtonElement>;
 	private readonly title = el("h1", {});
 	private readonly graphFold: HTMLDetailsElement;
@@ -47,8 +49,7 @@ class LivePage {
 	private priceTimer = 0;
 	private followTimer = 0;
 	private touched = false; // by this page, since the last measurement
-	private asking = false;
-	private again = false; // is to be asked again
+	private asked = Promise.resolve();
 	private probed = "";
 
 	constructor(private state: State) {
@@ -66,21 +67,19 @@ class LivePage {
 		this.variables = new VariablesPanel(send);
 		this.passes = new PassesPanel((index) => void this.openPass(index));
 		this.tabs = makeTabs([["settings", "Settings", this.settings.element], ["volumes", "Volumes", this.volumes.element], ["variables", "Variables", this.variables.element],
-			["passes", "Passes", this.passes.element], ["price", "Price", this.price.element]], () => this.rest());
+			["passes", "Passes", this.passes.element], ["price", "Price", this.price.element]]);
 		const action = (id: "undo" | "redo" | "reset", label: string, tip: string) => el<HTMLButtonElement>("button", { type: "button", id, "data-tip": tip, onclick: () => this.act(id) }, label);
 		this.buttons = { undo: action("undo", "Undo", "One step back (Ctrl+Z)"), redo: action("redo", "Redo", "One step forward (Ctrl+Shift+Z)"), reset: action("reset", "Reset all", "Everything as it was at the start; can be undone") };
-		this.probeButton = el("button", { type: "button", id: "probe-mode", "aria-pressed": "false", "data-tip": "A click on the picture tells how its texel came about; a second click, line by line", onclick: () => this.setProbing(this.probeButton.getAttribute("aria-pressed") !== "true") }, "Probe");
 		this.graphFold = el<HTMLDetailsElement>("details", { class: "graph-fold", id: "graph-fold", ontoggle: () => void this.refreshGraph() }, el("summary", {}, "The frame's graph: why each pass runs or not"));
 		this.status.append(this.figures, this.latency);
 		panel.stage.prepend(this.notice, this.faults);
 		panel.stage.append(this.status);
-		panel.stage.after(el("div", { class: "tools pin-row" }, this.probeButton,
-			el("button", { type: "button", id: "pin", "data-tip": "Keeps this state and its picture, to compare with", onclick: () => void this.try(post("pin")) }, "Pin"), this.pins), this.notes, this.probeText);
+		panel.stage.after(el("div", { class: "tools pin-row" },
+			el("button", { type: "button", id: "pin", "data-tip": "Keeps this state and its picture, to compare with", onclick: () => void this.try(post("pin")) }, "Pin"), this.pins), this.notes, this.probeFold);
 		panel.viewer.onPick = (x, y) => void this.probe(x, y);
 		this.build();
 		this.update(state);
 		this.showFrame();
-		this.showMessages(this.faults, state.fault?.messages ?? []);
 		this.hand.onRevision = () => this.showMessages(this.notice, []);
 		listen({
 			state: (revision) => revision !== this.state.revision && this.later(),
@@ -90,7 +89,7 @@ class LivePage {
 				this.showMessages(this.faults, messages);
 				this.later();
 			},
-			bye: () => this.end(),
+			bye: () => this.say("drydock live has ended. Start it again, and open the address that it prints.", "note"),
 			gone: () => this.say("drydock live does not answer. The last picture stays, and the page tries again."),
 			back: () => {
 				this.showMessages(this.notice, []);
@@ -119,7 +118,7 @@ class LivePage {
 		};
 		listenKeys({ "/": search, t: () => theme.click(), "?": () => keys.showModal() }, panel);
 		addEventListener("keydown", (event) => {
-			const typed = event.target instanceof HTMLInputElement && event.target.type === "text" && event.target.value !== event.target.defaultValue;
+			const typed = event.target instanceof HTMLInputElement && /text|search/.test(event.target.type) && event.target.value !== event.target.defaultValue;
 			const key = event.key.toLowerCase();
 			if ((event.ctrlKey || event.metaKey) && (key === "z" || key === "y") && !typed && !document.querySelector("dialog[open]")) {
 				event.preventDefault();
@@ -150,8 +149,14 @@ class LivePage {
 	}
 
 	private showMessages(box: HTMLElement, messages: Message[]): void {
-		box.replaceChildren(...messages.map(({ severity, code, message, where, file, line }) => el("p", { class: severity === "error" ? "bad" : severity },
-			el("code", {}, [file ? file + (line && line > 0 ? `:${line}` : "") : "", where].filter(Boolean).join(" at ")), " ", code ? el("strong", {}, code + " ") : null, message)));
+		const serious = (message: Message) => Number(message.severity === "error");
+		box.tabIndex = messages.length ? 0 : -1; // it may scroll
+		refill(box, messages, () => messages.toSorted((a, b) => serious(b) - serious(a)).map(({ severity, code, message, where, file, line }) => {
+			const [said, ...source] = message.split("\n");
+			return el("div", { class: severity === "error" ? "bad" : severity },
+				el("code", {}, [file ? file + (line && line > 0 ? `:${line}` : "") : "", where].filter(Boolean).join(" at ")), " ", code ? el("strong", {}, code + " ") : null, said,
+				source.length ? el("pre", {}, source.join("\n")) : null);
+		}));
 		this.frames?.panel.stage.classList.toggle("failed", !!this.faults.childElementCount);
 	}
 
@@ -204,29 +209,14 @@ class LivePage {
 		}
 	}
 
-	private async refresh(): Promise<void> {
-		this.again = this.asking;
-		if (this.asking) {
-			return;
-		}
-		this.asking = true;
-		try {
-			do {
-				this.again = false;
-				this.update(await get<State>("state"));
-			} while (this.again);
-		} catch (refusal) {
-			this.say((refusal as Refusal).message);
-		} finally {
-			this.asking = false;
-		}
+	private refresh(): Promise<void> {
+		return (this.asked = this.asked.then(() => get<State>("state")).then((state) => this.update(state)).catch((refusal: Error) => this.say(refusal.message)));
 	}
 
 	private update(state: State): void {
 		this.state = state;
-		const changed = state.changed ? " •" : "";
-		this.title.replaceChildren(state.name, el("span", { class: "quiet", "data-tip": "Not saved" }, changed));
-		document.title = `${changed ? "• " : ""}${state.name} · drydock live`;
+		this.title.replaceChildren(state.name, el("span", { class: "quiet", "data-tip": "Differs from the start" }, state.changed ? " •" : ""));
+		document.title = `${state.changed ? "• " : ""}${state.name} · drydock live`;
 		this.buttons.undo.disabled = !state.canUndo;
 		this.buttons.redo.disabled = !state.canRedo;
 		this.buttons.reset.disabled = !state.changed && !state.canUndo;
@@ -237,26 +227,21 @@ class LivePage {
 		}
 		this.price.update(state);
 		this.frames.update(state);
-		this.pins.replaceChildren(...state.pins.map(({ pin, name }) => el("span", { class: "pin" },
-			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void this.compare(`pin-${pin}`) }, name || `pin ${pin}`),
+		const { panel } = this.frames;
+		refill(this.pins, state.pins, () => state.pins.map(({ pin, name }) => el("span", { class: "pin" },
+			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void panel.choose(panel.selectedA, `pin-${pin}`).then(() => panel.setMode("slider")) }, name || `pin ${pin}`),
 			el("button", { type: "button", "aria-label": `Remove ${name || `pin ${pin}`}`, onclick: () => void this.try(post(`pin/${pin}`, undefined, "DELETE")) }, "×"))));
 		if (state.frame) {
 			this.passes.update(state.frame);
 			const { messages } = state.frame;
 			this.notes.hidden = !messages.length;
-			const box = el("div", { class: "faults" });
-			this.showMessages(box, messages);
-			this.notes.replaceChildren(el("summary", {}, count(messages.length, "note") + " on this frame"), box);
+			this.notesTitle.textContent = count(messages.length, "note") + " on this frame";
+			this.showMessages(this.notesBox, messages);
 			if (state.frame.revision > this.frames.shown) {
 				void this.frames.show(state.frame.revision);
 			}
 		}
 		this.showMessages(this.faults, state.fault?.messages ?? []);
-	}
-
-	private async compare(id: string): Promise<void> {
-		await this.frames.panel.choose(this.frames.panel.selectedA, id);
-		this.frames.panel.setMode("slider");
 	}
 
 	private async refreshGraph(): Promise<void> {
@@ -267,16 +252,12 @@ class LivePage {
 			const revision = this.state.revision;
 			this.report = await get<Report>("report/now");
 			this.graphRevision = revision;
-			this.report.pictures ??= [];
-			if (this.graph) {
-				this.graph.setReport(this.report);
-			} else {
-				this.graph = new GraphPanel(this.report, (id) => {
-					const picture = this.report!.pictures.find((one) => one.id === id);
-					void (picture && this.frames.showPass(picture.pass, picture.resource));
-				}, (pass, resource) => void this.frames.showPass(pass, resource));
-				this.graphFold.append(this.graph.element);
-			}
+			this.graph?.setReport(this.report);
+			this.graph ??= new GraphPanel(this.report, (id) => {
+				const { pass, resource } = this.report!.pictures.find((one) => one.id === id)!;
+				void this.frames.showPass(pass, resource);
+			});
+			this.graphFold.append(this.graph.element);
 		} catch (refusal) {
 			this.say((refusal as Refusal).message);
 		}
@@ -288,15 +269,8 @@ class LivePage {
 		this.graph?.open(index);
 	}
 
-	private setProbing(on: boolean): void {
-		this.probeButton.setAttribute("aria-pressed", String(on));
-		this.probeText.hidden = !on;
-		this.probeText.replaceChildren(el("p", { class: "quiet" }, "Click a texel, or mark one with shift and arrows and press Enter."));
-		this.probed = "";
-	}
-
 	private async probe(x: number, y: number): Promise<void> {
-		if (this.probeText.hidden) {
+		if (!this.probeFold.open) {
 			return;
 		}
 		const index = /^pass-(\d+)-/.exec(this.frames.panel.selectedA)?.[1];
@@ -305,45 +279,27 @@ class LivePage {
 		const trace = place === this.probed;
 		const pass = passes.find((one) => one.index === Number(index)) ?? (trace ? passes.at(-1) : undefined);
 		const title = `${trace ? "Trace" : "Probe"} of texel ${x}, ${y}` + (pass ? ` of ${pass.name}` : "");
-		this.probeText.replaceChildren(el("h3", {}, title), el("p", { class: "quiet" }, "…"));
-		const text = await getText((trace ? "trace?" : "probe?") + place + (pass ? `&pass=${encodeURIComponent(pass.name)}` : "")).then((answer) => {
-			try {
-				const parsed = JSON.parse(answer) as { text?: string };
-				return parsed.text ?? JSON.stringify(parsed, null, 1);
-			} catch {
-				return answer;
-			}
-		}, (refusal: Error) => refusal.message);
 		this.probed = trace ? "" : place;
+		this.probeText.replaceChildren(el("h3", {}, title), el("p", { class: "quiet" }, "…"));
+		const { text } = await get<{ text: string }>((trace ? "trace?" : "probe?") + place + (pass ? `&pass=${encodeURIComponent(pass.name)}` : "")).catch((refusal: Error) => ({ text: refusal.message }));
 		this.probeText.replaceChildren(el("h3", {}, title), el("pre", { tabindex: 0 }, text.trim()),
 			trace ? "" : el("button", { type: "button", id: "trace", onclick: () => void this.probe(x, y) }, "Line by line"));
-	}
-
-	private end(): void {
-		this.say("drydock live has ended. Start it again, and open the address that it prints.", "note");
-		document.documentElement.dataset.ended = "true";
 	}
 }
 
 async function start(): Promise<void> {
 	const waiting = el("p", { class: "waiting", role: "status" }, "Waiting for drydock live…");
 	document.body.append(waiting);
-	for (;;) {
-		try {
-			const state = await get<State>("state");
-			waiting.remove();
-			new LivePage(state);
-			document.documentElement.dataset.ready = "true";
-			return;
-		} catch (refusal) {
-			const { status, message } = refusal as Refusal;
-			waiting.textContent = message + ". The page tries again.";
-			if (status === 403 || status === undefined) {
-				throw refusal;
-			}
-			await new Promise((done) => setTimeout(done, 1500));
-		}
+	let state: State | null = null;
+	while (!state) {
+		state = await get<State>("state").catch((refusal: Refusal) => {
+			waiting.textContent = `${refusal.message}. The page tries again.`;
+			return new Promise<null>((done) => setTimeout(done, 1500, null));
+		});
 	}
+	waiting.remove();
+	new LivePage(state);
+	document.documentElement.dataset.ready = "true";
 }
 
 void start();

@@ -1,7 +1,8 @@
 // The passes of the last frame and its effects: what ran, what was taken from the frame before, and why.
 import { shortName } from "../data";
-import { el, table } from "../dom";
+import { el, refill, table } from "../dom";
 import { count, ms } from "../format";
+import { effectColumns } from "../sections/effects";
 import { Frame } from "./data";
 
 export class PassesPanel {
@@ -9,29 +10,19 @@ export class PassesPanel {
 	private readonly note = el("p", { class: "note" });
 	private readonly box = el("div", {});
 	private readonly effects = el("div", {});
-	private key = "";
 
 	constructor(private readonly openPass: (index: number) => void) {
 		this.element = el("div", {}, this.note, this.box, el("h3", {}, "Effects"), this.effects);
 	}
 
 	update(frame: Frame): void {
-		const key = JSON.stringify([frame.passes, frame.effects]);
-		if (key === this.key) {
-			return;
-		}
-		this.key = key;
 		this.note.textContent = `${count(frame.passesRun, "pass", "passes")} ran, ${frame.passesReused} taken from the last frame, ${ms(frame.milliseconds.passes)} in all. A pass opens in the graph below.`;
 		const longest = Math.max(0.001, ...frame.passes.map((pass) => pass.ms));
-		this.box.replaceChildren(table([
+		refill(this.box, frame.passes, () => [table([
 			{ title: "Pass", cell: (row) => el("button", { type: "button", class: "link", onclick: () => this.openPass(row.index) }, `${row.index}  ${shortName(row.name)}`) },
 			{ title: "Time", number: true, cell: (row) => (row.reused ? el("span", { class: "quiet" }, "reused") : ms(row.ms)) },
 			{ title: "", wide: true, cell: (row) => el("span", { class: "bar", style: `--share:${row.reused ? 0 : row.ms / longest}` }) },
-		], frame.passes, (row) => ({ class: row.reused ? "off" : "" })));
-		this.effects.replaceChildren(table([
-			{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", role: "img", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
-			{ title: "Effect", cell: (row) => row.name },
-			{ title: "Why", cell: (row) => row.reason },
-		], [...frame.effects].sort((a, b) => Number(b.active) - Number(a.active)), (row) => ({ class: row.active ? "" : "off" })));
+		], frame.passes, (row) => ({ class: row.reused ? "off" : "" }))]);
+		refill(this.effects, frame.effects, () => [table(effectColumns, [...frame.effects].sort((a, b) => Number(b.active) - Number(a.active)), (row) => ({ class: row.active ? "" : "off" }))]);
 	}
 }

@@ -1,6 +1,6 @@
-// What each state that was tried costs: a dot of milliseconds against error, measured when the hand rests.
+// Shows the cost of each state that was tried: a dot of milliseconds against error, measured when the hand rests.
 import { drawPanel, makeAxis } from "../chart";
-import { el, table } from "../dom";
+import { el, refill, table } from "../dom";
 import { ms, number } from "../format";
 import { Dot, State } from "./data";
 import { Refusal, post } from "./server";
@@ -26,11 +26,8 @@ export class PricePanel {
 	}
 
 	update(state: State): void {
-		const changed = JSON.stringify(state.dots) !== JSON.stringify(this.dots) || state.revision !== this.revision;
 		[this.dots, this.revision] = [state.dots, state.revision];
-		if (changed) {
-			this.draw();
-		}
+		this.draw();
 	}
 
 	/** The hand rests, the picture is drawn. */
@@ -63,23 +60,21 @@ export class PricePanel {
 		this.width = this.plot.clientWidth;
 		if (!dots.length || !this.width) {
 			this.plot.replaceChildren(...(dots.length ? [] : [el("p", { class: "quiet" }, "There is no dot yet.")]));
-			this.list.replaceChildren();
 			return;
 		}
 		const metric = dots[dots.length - 1].metric;
-		const axis = (values: number[], name: string) => ({ ...makeAxis([0, ...values], 0.08, number), low: 0, name });
-		const x = axis(dots.map((dot) => dot.milliseconds), "ms of the passes");
-		x.ticks = x.ticks.filter((tick) => tick.value >= 0);
-		const y = axis(dots.map((dot) => dot.error), `error (${metric})`);
-		y.ticks = y.ticks.filter((tick) => tick.value >= 0);
+		const axis = (values: number[], name: string) => {
+			const whole = makeAxis([0, ...values], 0.08, number);
+			return { ...whole, low: 0, name, ticks: whole.ticks.filter((tick) => tick.value >= 0) };
+		};
 		this.plot.replaceChildren(drawPanel({
-			title: `Milliseconds against ${metric}`, unit: "", x, y, limit: null,
+			title: `Milliseconds against ${metric}`, unit: "", x: axis(dots.map((dot) => dot.milliseconds), "ms of the passes"), y: axis(dots.map((dot) => dot.error), `error (${metric})`), limit: null,
 			series: [{ name: "", color: "c1", line: [], steps: false, points: dots.map((dot) => ({ x: dot.milliseconds, y: dot.error, label: dot.label, now: dot.revision === this.revision, pale: dot.revision !== this.revision })) }],
 		}, { width: this.width, height: 260, act: () => ({}) }));
-		this.list.replaceChildren(table([
+		refill(this.list, [dots, this.revision], () => [table([
 			{ title: "State", cell: (row) => (row.revision === this.revision ? el("strong", {}, row.label || "now") : row.label || `revision ${row.revision}`) },
 			{ title: "Passes", number: true, cell: (row) => ms(row.milliseconds) },
 			{ title: `Error, ${metric}`, number: true, cell: (row) => number(row.error) },
-		], dots.toReversed()));
+		], dots.toReversed())]);
 	}
 }

@@ -26,17 +26,9 @@ async function send(path: string, method: string, body?: unknown): Promise<Respo
 	return answer;
 }
 
-export async function get<T>(path: string): Promise<T> {
-	return (await send(path, "GET")).json() as Promise<T>;
-}
-
-export async function getText(path: string): Promise<string> {
-	return (await send(path, "GET")).text();
-}
-
-export async function post<T>(path: string, body: unknown = {}, method = "POST"): Promise<T> {
-	return (await send(path, method, body)).json() as Promise<T>;
-}
+export const getText = async (path: string): Promise<string> => (await send(path, "GET")).text();
+export const get = async <T>(path: string): Promise<T> => JSON.parse(await getText(path)) as T;
+export const post = async <T>(path: string, body: unknown = {}, method = "POST"): Promise<T> => (await send(path, method, body)).json() as Promise<T>;
 
 /** A picture as bytes for the display, or as numbers. */
 export async function getPicture(id: string | number, query: string): Promise<Pixels> {
@@ -84,10 +76,8 @@ export function listen(listener: Listener): void {
 	};
 }
 
-type Refused = (messages: Message[]) => void;
-
 interface Waiting {
-	edits: Map<string, { edit: Edit; refused: Refused }>; // by place: the newest
+	edits: Map<string, { edit: Edit; refused: (messages: Message[]) => void }>; // by place: the newest
 	drag?: string;
 	at: number; // of the input, in performance.now()'s time
 }
@@ -108,7 +98,7 @@ export class Hand {
 		return !this.flying && !this.waiting;
 	}
 
-	edit(edits: Edit[], refused: Refused, drag?: string, at = performance.now()): void {
+	edit(edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at = performance.now()): void {
 		this.waiting ??= { edits: new Map(), drag, at };
 		Object.assign(this.waiting, { drag, at });
 		for (const edit of edits) {

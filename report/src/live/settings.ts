@@ -1,24 +1,18 @@
 // All settings by the engine's categories, each a control that edits the camera or one of the volumes.
 import { LedgerEntry } from "../data";
-import { el } from "../dom";
+import { el, refill } from "../dom";
 import { count, value as show } from "../format";
 import { story } from "../sections/settings";
-import { Control, makeControl } from "./control";
-import { Edit, Json, LiveSetting, Message, State, joinMessages, pointTo } from "./data";
-import { get, getText, post } from "./server";
+import { makeControl, makeFault } from "./control";
+import { Edit, Json, LiveSetting, Message, State, pointTo } from "./data";
+import { Refusal, get, getText, post } from "./server";
 
 export type SendEdits = (edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at?: number) => void;
 
 interface Row {
 	setting: LiveSetting;
 	element: HTMLElement;
-	control: Control;
 	update: (setting: LiveSetting, own: Json | undefined) => void;
-}
-
-/** "BloomIntensity" becomes "bloomintensity bloom intensity", so that words find it. */
-function makeWords(setting: LiveSetting): string {
-	return [setting.name, setting.display, setting.category, setting.effect, setting.plugin].join(" ").toLowerCase();
 }
 
 export class SettingsPanel {
@@ -63,7 +57,7 @@ export class SettingsPanel {
 		const before = this.state?.settings.map(({ name }) => name).join();
 		this.state = state;
 		const chosen = this.target.value || "-1";
-		this.target.replaceChildren(el("option", { value: -1 }, "the camera, over all volumes"), ...state.volumes.map((volume, i) => el("option", { value: i }, `volume ${volume.name || i}`)));
+		refill(this.target, state.volumes.map(({ name }) => name), () => [el("option", { value: -1 }, "the camera, over all volumes"), ...state.volumes.map((volume, i) => el("option", { value: i }, `volume ${volume.name || i}`))]);
 		this.target.value = this.target.querySelector(`[value="${chosen}"]`) ? chosen : "-1";
 		if (state.settings.map(({ name }) => name).join() !== before) {
 			this.build();
@@ -114,7 +108,8 @@ export class SettingsPanel {
 		for (const { element, rows } of this.groups) {
 			let shown = 0;
 			for (const row of rows) {
-				const text = words.length ? makeWords(row.setting) : "";
+				const { name, display, category, effect, plugin } = row.setting;
+				const text = words.length ? [name, display, category, effect, plugin].join(" ").toLowerCase() : "";
 				row.element.hidden = !words.every((word) => text.includes(word)) || (only && row.element.dataset.set !== "true");
 				shown += Number(!row.element.hidden);
 			}
@@ -131,17 +126,13 @@ export class SettingsPanel {
 		const { name } = first;
 		let setting = first;
 		const id = "set-" + name;
-		const fault = el("p", { class: "refused", role: "alert" });
-		const refuse = (message: string) => {
-			fault.textContent = message;
-			fault.hidden = !message;
-		};
+		const fault = makeFault();
 		const send = (edit: (pointer: string) => Edit, drag?: string, at?: number) => {
-			refuse("");
-			this.sendEdits([edit(pointTo(this.volume, name))], (messages) => refuse(joinMessages(messages)), drag, at);
+			fault.say("");
+			this.sendEdits([edit(pointTo(this.volume, name))], fault.refused, drag, at);
 		};
 		const control = makeControl({
-			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse,
+			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse: fault.say,
 			guess: typeof first.default === "number" ? first.default : undefined,
 			send: (value, drag, at) => send((set) => ({ set, value }), drag, at),
 		});
@@ -159,16 +150,15 @@ export class SettingsPanel {
 		} });
 		const why = el("div", { class: "why-value", hidden: true });
 		const reset = el("button", { type: "button", class: "small", "aria-label": `Reset ${first.display || name}`, "data-tip": "As it was at the start", onclick: () => {
-			refuse("");
-			void post("reset", { pointer: pointTo(this.volume, name) }).catch((refusal: Error) => refuse(refusal.message));
+			fault.say("");
+			void post("reset", { pointer: pointTo(this.volume, name) }).catch((refusal: Refusal) => fault.refused(refusal.messages));
 		} }, "↺");
 		const unread = el("p", { class: "unread-note" });
 		const note = el("span", { class: "quiet note-default" });
 		const element = el("div", { class: "setting", "data-setting": name },
 			el("div", { class: "setting-head" }, tick, el("label", { for: id, "data-tip": `${name}: ${first.doc}` }, first.display || name),
 				first.plugin ? el("span", { class: "tag", "data-tip": "A plugin added this setting" }, first.plugin) : null, note, blended, reset),
-			control.element, fault, unread, why);
-		fault.hidden = true;
+			control.element, fault.element, unread, why);
 		const update = (now: LiveSetting, own: Json | undefined) => {
 			const same = JSON.stringify(now.value) === JSON.stringify(now.default);
 			setting = row.setting = now;
@@ -185,7 +175,7 @@ export class SettingsPanel {
 			unread.hidden = !now.unread;
 			element.classList.toggle("pale", !!now.unread);
 		};
-		const row: Row = { setting, element, control, update };
+		const row: Row = { setting, element, update };
 		return row;
 	}
 }

@@ -1,12 +1,9 @@
 // Tabs: one of several parts is shown; arrows move between their buttons.
 import { el } from "../dom";
 
-export function makeTabs(parts: [string, string, HTMLElement][], chosen: (id: string) => void): { element: HTMLElement; shown: string; show: (id: string) => void } {
+export function makeTabs(parts: [string, string, HTMLElement][]): { element: HTMLElement; shown: string; show: (id: string) => void } {
 	const buttons = parts.map(([id, title], i) => el<HTMLButtonElement>("button", {
-		type: "button", role: "tab", id: "tab-" + id, "aria-controls": id, onclick: () => {
-			tabs.show(id);
-			chosen(id);
-		},
+		type: "button", role: "tab", id: "tab-" + id, "aria-controls": id, onclick: () => tabs.show(id),
 		onkeydown: (event: KeyboardEvent) => {
 			const to = { ArrowLeft: i - 1, ArrowRight: i + 1, Home: 0, End: parts.length - 1 }[event.key];
 			if (to !== undefined) {

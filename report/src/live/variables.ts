@@ -1,8 +1,8 @@
 // Console variables and show flags: those that matter for the config first, the others by search.
-import { el } from "../dom";
+import { el, refill } from "../dom";
 import { count } from "../format";
-import { Control, makeControl } from "./control";
-import { State, Variable, escapeKey, joinMessages } from "./data";
+import { Control, makeControl, makeFault } from "./control";
+import { State, Variable, escapeKey } from "./data";
 import { SendEdits } from "./settings";
 
 export class VariablesPanel {
@@ -30,7 +30,7 @@ export class VariablesPanel {
 		}
 		const wanted = this.search.value.trim().toLowerCase();
 		const shown = (list: Variable[]) => list.filter((one) => (wanted ? one.name.toLowerCase().includes(wanted) : one.matters || JSON.stringify(one.value) !== JSON.stringify(one.default)))
-			.toSorted((a, b) => Number(b.matters) - Number(a.matters)).slice(0, 80);
+			.toSorted((a, b) => Number(a.name.startsWith("r.Drydock")) - Number(b.name.startsWith("r.Drydock")) || Number(b.matters) - Number(a.matters)).slice(0, 80);
 		let sum = 0;
 		for (const [key, list, none] of [["cvars", this.state.variables, "No variable matters for this config and is set."], ["showFlags", this.state.showFlags, "No show flag is off."]] as const) {
 			const rows = shown(list).map((variable) => {
@@ -41,43 +41,31 @@ export class VariablesPanel {
 				return row.element;
 			});
 			sum += rows.length;
-			const box = this.lists[key];
-			if (rows.length !== box.children.length || rows.some((row, i) => row !== box.children[i])) {
-				box.replaceChildren(...(rows.length ? rows : [el("p", { class: "quiet" }, wanted ? "Nothing has this name." : none)]));
-			}
+			refill(this.lists[key], [rows.map((row) => row.dataset.variable), !wanted], () => (rows.length ? rows : [el("p", { class: "quiet" }, wanted ? "Nothing has this name." : none)]));
 		}
 		this.found.textContent = `${sum} of ${count(this.state.variables.length + this.state.showFlags.length, "name")}`;
 	}
 
 	private makeRow(key: "cvars" | "showFlags", id: string, first: Variable): { element: HTMLElement; update: (variable: Variable) => void } {
-		const fault = el("p", { class: "refused", role: "alert", hidden: true });
-		const refuse = (message: string) => {
-			fault.textContent = message;
-			fault.hidden = !message;
-		};
+		const fault = makeFault();
 		const pointer = `/${key}/${escapeKey(first.name)}`;
-		const numeric = typeof first.value === "number" || (typeof first.value === "string" && /^-?[\d.]+$/.test(first.value));
-		const value = key === "showFlags" ? Boolean(first.value) : String(first.value);
+		const read = ({ value }: Variable) => (/^(true|false)$/.test(String(value)) ? String(value) === "true" : String(value)); // a switch, or text
 		const control: Control = makeControl({
-			id, label: first.name, type: "text", value, refuse,
+			id, label: first.name, type: "text", value: read(first), refuse: fault.say,
 			send: (now) => {
-				if (numeric && key === "cvars" && !Number.isFinite(Number(now ?? NaN))) {
-					refuse(`"${now ?? ""}" is not a number.`);
-					return;
-				}
-				refuse("");
-				this.sendEdits([{ set: pointer, value: numeric && key === "cvars" ? Number(now) : now }], (messages) => refuse(joinMessages(messages)));
+				fault.say("");
+				this.sendEdits([{ set: pointer, value: typeof now === "string" && Number.isFinite(Number(now)) ? Number(now) : now }], fault.refused);
 			},
 		});
 		const note = el("span", { class: "quiet note-default" });
 		const reset = el("button", { type: "button", class: "small", "aria-label": `Reset ${first.name}`, "data-tip": "Not set by the config", onclick: () =>
-			this.sendEdits([{ remove: pointer }], (messages) => refuse(joinMessages(messages))) }, "↺");
+			this.sendEdits([{ remove: pointer }], fault.refused) }, "↺");
 		const element = el("div", { class: "setting", "data-variable": first.name },
-			el("div", { class: "setting-head" }, el("label", { for: id, "data-tip": first.doc }, first.name), note, reset), control.element, fault);
+			el("div", { class: "setting-head" }, el("label", { for: id, "data-tip": first.doc }, first.name), note, reset), control.element, fault.element);
 		return {
 			element, update: (variable) => {
 				const same = JSON.stringify(variable.value) === JSON.stringify(variable.default);
-				control.show(key === "showFlags" ? Boolean(variable.value) : String(variable.value));
+				control.show(read(variable));
 				element.classList.toggle("differs", !same);
 				note.textContent = same ? "" : `default ${variable.default}` + (variable.setBy ? `, set by ${variable.setBy}` : "");
 				reset.hidden = same;

@@ -100,8 +100,11 @@ export class PicturePanel {
 
 	/** Other pictures to choose from; those that are shown stay where they are still there. */
 	setList(pictures: PictureData[]): void {
+		const same = pictures.map(({ id }) => id).join() === this.pictures.map(({ id }) => id).join();
 		this.pictures = pictures;
-		this.fillLists();
+		if (!same) {
+			this.fillLists();
+		}
 		[this.selectA.value, this.selectB.value] = [this.a.id, this.b?.id ?? ""];
 	}
 

@@ -1,7 +1,14 @@
 // Shows which effects ran and which did not, why, and what that saved.
 import { Effect, Report } from "../data";
-import { el, section, table } from "../dom";
+import { Column, el, section, table } from "../dom";
 import { bytes, ms } from "../format";
+
+/** Whether an effect runs, its name, and why. */
+export const effectColumns: Column<Effect>[] = [
+	{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", role: "img", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
+	{ title: "Effect", cell: (row) => row.name },
+	{ title: "Why", cell: (row) => row.reason },
+];
 
 export function makeEffects(report: Report): HTMLElement {
 	const { explain } = report;
@@ -17,9 +24,7 @@ export function makeEffects(report: Report): HTMLElement {
 	];
 	return section("effects", "Effects", explain && !explain.measured ? "Times are estimates from earlier runs on this machine." : "",
 		table<Effect>([
-			{ title: "", cell: (row) => el("span", { class: row.active ? "state on" : "state", role: "img", "aria-label": row.active ? "runs" : "does not run" }, row.active ? "●" : "○") },
-			{ title: "Effect", cell: (row) => row.name },
-			{ title: "Why", cell: (row) => row.reason },
+			...effectColumns,
 			{ title: "Passes", number: true, cell: (row) => cost(row.name)?.passes || "" },
 			{ title: "Time", number: true, cell: (row) => (cost(row.name)?.ms ? ms(cost(row.name)!.ms) : "") },
 			{ title: "Writes", number: true, cell: (row) => (cost(row.name)?.megabytes ? bytes(cost(row.name)!.megabytes * 1e6) : "") },

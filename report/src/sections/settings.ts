@@ -4,7 +4,7 @@ import { el, section, table } from "../dom";
 import { count, number, value } from "../format";
 import { WalkPanel } from "./walk";
 
-/** What gave a setting its value, step by step. */
+/** The steps that gave a setting its value. */
 export function story(entries: LedgerEntry[]): HTMLElement {
 	return el("ol", { class: "ledger" }, entries.map((entry) => el("li", { class: entry.skipped ? "skipped" : "" },
 		el("span", { class: "source" }, entry.source), " ",

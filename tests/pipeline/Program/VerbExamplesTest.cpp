@@ -22,6 +22,15 @@ bool IsLong(const FVerbExample& Example)
 		[&](const std::string& Verb) { return Example.Verb == Verb; });
 }
 
+/** The arguments as the test calls them, and the exit code. `live` runs until somebody ends it. */
+std::pair<std::string, int> MakeCall(const FVerbExample& Example)
+{
+	const std::string Arguments = Example.GetCommand().substr(sizeof("drydock ") - 1);
+	return std::string(Example.Verb) == "live"
+			   ? std::pair("live --no-open" + Arguments.substr(4) + " & sleep 3; kill -TERM $!; wait $!", 128 + 15)
+			   : std::pair(Arguments, 0);
+}
+
 } // namespace
 
 TEST(VerbExamples, EachVerbHasTwoOrThreeAndItsHelpEndsWithThem)
@@ -59,8 +68,9 @@ TEST(VerbExamples, AllRunInTheirOrder)
 	{
 		if (All != nullptr || !IsLong(Example))
 		{
-			const FOutcome Outcome = Folder.Call(Example.GetCommand().substr(sizeof("drydock ") - 1));
-			EXPECT_EQ(0, Outcome.ExitCode) << Example.GetCommand() << "\n" << Outcome.Printed;
+			const auto [Call, ExitCode] = MakeCall(Example);
+			const FOutcome Outcome = Folder.Call(Call);
+			EXPECT_EQ(ExitCode, Outcome.ExitCode) << Example.GetCommand() << "\n" << Outcome.Printed;
 		}
 	}
 }
