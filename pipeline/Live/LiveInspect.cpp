@@ -21,11 +21,13 @@ namespace Drydock
 namespace
 {
 
-/** For a run beside the frame's. */
+/** For a run beside the frame's, which computes every pass. */
 FRunOptions BeginOwnRun(FLiveSession& Session)
 {
 	Session.EndRun();
-	return Session.MakeOptions();
+	FRunOptions Options = Session.MakeOptions();
+	Options.ReuseCache = nullptr;
+	return Options;
 }
 
 std::string MakeAnswer(const std::string& Text, const std::string& Json)

@@ -5,6 +5,9 @@
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace Drydock
 {
 
@@ -48,12 +51,14 @@ std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double Wh
 	Writer.Key("milliseconds")
 		.Object({{"passes", Result.Times.Execute}, {"setup", Result.Times.Setup}, {"load", Result.Times.Load},
 			{"compile", Result.Times.Compile}, {"report", Result.Times.Report}, {"whole", WholeMs}});
-	Writer.Members({{"passesRun", static_cast<uint64_t>(Result.Passes.size())}, {"passesReused", 0}});
+	const auto NumReused = std::ranges::count_if(Result.Passes, &FRunPass::IsReused);
+	Writer.Members({{"passesRun", static_cast<uint64_t>(std::ssize(Result.Passes) - NumReused)},
+		{"passesReused", static_cast<uint64_t>(NumReused)}});
 	Writer.Objects("passes", Result.Passes,
 		[&](const FRunPass& Pass)
 		{
 			Writer.Members({{"index", Pass.Index}, {"name", Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Name},
-				{"ms", Pass.Milliseconds}, {"reused", false}});
+				{"ms", Pass.Milliseconds}, {"reused", Pass.IsReused()}});
 		});
 	WriteMessageList(Writer, Result.Diagnostics);
 	Writer.Objects("effects", Result.Effects,

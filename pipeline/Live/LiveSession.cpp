@@ -1,6 +1,7 @@
 // Checks each state by setting up its run, which the frame then uses.
 #include "Live/LiveSession.h"
 
+#include "DispatchReuse.h"
 #include "Live/LiveErrors.h"
 #include "Live/LiveJson.h"
 #include "Run/RunFiles.h"
@@ -50,6 +51,7 @@ FLiveSession::FLiveSession(
 	, Events(InEvents)
 	, Pictures(InPictures)
 	, SceneCache(std::make_shared<FSceneCache>())
+	, ReuseCache(Options.bReuse ? std::make_shared<FReuseCache>() : nullptr)
 	, FileText(TryReadTextFile(History.GetFile()).value_or(""))
 {
 	if (!Options.Crash.empty())
@@ -66,6 +68,7 @@ FRunOptions FLiveSession::MakeOptions() const
 	FRunOptions Made = Options.Run;
 	Made.ConfigText = History.GetText();
 	Made.SceneCache = SceneCache;
+	Made.ReuseCache = ReuseCache;
 	return Made;
 }
 

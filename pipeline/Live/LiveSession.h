@@ -112,7 +112,8 @@ private:
 	FLiveEvents& Events;
 	FLivePictures& Pictures;
 	std::shared_ptr<FSceneCache> SceneCache;
-	std::unique_ptr<FRunSession> Run; // of RunText
+	std::shared_ptr<FReuseCache> ReuseCache; // null: every pass is computed
+	std::unique_ptr<FRunSession> Run;        // of RunText
 	std::string RunText;
 	bool bFrameWanted = true;
 	std::optional<FRunResult> Frame;

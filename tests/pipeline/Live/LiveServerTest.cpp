@@ -83,7 +83,7 @@ TEST_F(LiveServer, ShowsWhatRunWritesOfTheSavedConfig)
 	EXPECT_EQ(960, Frame["width"]);
 	EXPECT_EQ(540, Frame["height"]);
 	EXPECT_GT(Frame["passes"].size(), 10u);
-	EXPECT_EQ(Frame["passesRun"], Frame["passes"].size());
+	EXPECT_EQ(Frame["passesRun"].get<size_t>() + Frame["passesReused"].get<size_t>(), Frame["passes"].size());
 
 	EXPECT_EQ(200, Program.Post("/api/save", {{"path", "saved.json"}}).Status);
 	const FJson Saved = FJson::parse(Folder.Read("saved.json"), nullptr, true, true);
@@ -116,6 +116,37 @@ TEST_F(LiveServer, ShowsWhatRunWritesOfTheSavedConfig)
 	ASSERT_EQ(0, Folder.Call("live --replay session.jsonl --out again").ExitCode);
 	ExpectSameBits(Program, "again");
 	EXPECT_EQ(Folder.Read("out/final.exr"), Folder.Read("again/final.exr"));
+}
+
+TEST_F(LiveServer, PassesThatAnEditDoesNotReachAreTakenFromTheFrameBefore)
+{
+	for (const bool bReuse : {true, false})
+	{
+		std::vector<std::string> Arguments = {"a.json"};
+		if (!bReuse)
+		{
+			Arguments.push_back("--no-reuse");
+		}
+		const FLiveProgram Program(Folder.Path, Arguments);
+		Program.WaitForFrame();
+		EXPECT_EQ(200, Program.Edit("/camera/Settings/ColorGamma", {1.0, 1.0, 1.0, 1.25}).Status);
+		const FJson State = Program.WaitForFrame();
+		ASSERT_TRUE(State["fault"].is_null());
+		int NumBloom = 0;
+		int NumTonemap = 0;
+		for (const FJson& Pass : State["frame"]["passes"])
+		{
+			const std::string Name = Pass["name"];
+			const bool bBloom = Name.find("Bloom") != std::string::npos;
+			const bool bTonemap = Name.find("Tonemap") != std::string::npos;
+			NumBloom += bBloom ? 1 : 0;
+			NumTonemap += bTonemap ? 1 : 0;
+			EXPECT_TRUE(!bBloom || Pass["reused"] == bReuse) << Name;
+			EXPECT_TRUE(!bTonemap || !Pass["reused"]) << Name;
+		}
+		EXPECT_GE(NumBloom, 2);
+		EXPECT_EQ(1, NumTonemap);
+	}
 }
 
 TEST_F(LiveServer, AMistakeIsRefusedAndTheStateStays)
