@@ -10,9 +10,9 @@ namespace
 const char* const Races =
 	"threads of one dispatch write one texel or buffer element, or add to it without an atomic, and their order "
 	"decides the value: give each thread a place of its own, or add whole numbers with InterlockedAdd";
-const char* const Beside =
-	"a draw or dispatch depends on something that the cache of passes does not see: its shader was bound by code of its "
-	"own, or texels were written by a kept address without a call of FRHITexture::Touch";
+const char* const Beside = "a draw or dispatch depends on something that the cache of passes does not see: its shader "
+						   "was bound by code of its "
+						   "own, or texels were written by a kept address without a call of FRHITexture::Touch";
 const char* const Memory =
 	"a pass uses memory that is not its own: it uses a resource by a pointer, undeclared in its parameters, after the "
 	"last pass that declares it or before the first that writes it";

@@ -194,7 +194,7 @@ FReuseCache::FResult* FReuseCache::Add(const FMemoryHash& Key, uint64 NumBytes)
 
 FDispatchReuse::FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 	const std::vector<FRHITexture*>& Targets)
-	: Cache(GReuseCache)
+	: FReusedWork(FMemoryHash())
 {
 	FindOutputs(Shader, Args, Whole, Targets);
 	if (Cache)
@@ -219,17 +219,15 @@ FDispatchReuse::FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Ar
 	}
 }
 
-void FDispatchReuse::AddOutput(const FKernelMip& Mip, size_t TexelBytes, const FIntRect& Rect, FRHITexture* Texture)
+void FDispatchReuse::AddMip(const FKernelMip& Mip, size_t TexelBytes, const FIntRect& Rect, FRHITexture* Texture)
 {
-	FOutput Output;
-	Output.Block = MakeBlock(Mip, TexelBytes, Rect);
-	Output.Texture = Texture;
-	if (!Texture || !Texture->FindMip(Mip.Data, Output.Mip, Output.Plane))
+	int32 Number, Plane;
+	if (!Texture || !Texture->FindMip(Mip.Data, Number, Plane))
 	{
 		bForeignOutput = true;
 		return;
 	}
-	Outputs.push_back(Output);
+	AddOutput(MakeBlock(Mip, TexelBytes, Rect), Texture, Number, Plane);
 }
 
 void FDispatchReuse::FindOutputs(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
@@ -242,7 +240,7 @@ void FDispatchReuse::FindOutputs(const FBoundShader& Shader, const FKernelArgs& 
 		{
 			FIntRect Rect(Whole.MinX, Whole.MinY, Whole.MaxX, Whole.MaxY);
 			Rect.Clip(GetRect(View.Mips[0]));
-			AddOutput(View.Mips[0], GetTexelBytes(View.Storage), Rect, GetAt(Targets, size_t(Index)));
+			AddMip(View.Mips[0], GetTexelBytes(View.Storage), Rect, GetAt(Targets, size_t(Index)));
 		}
 	}
 	for (size_t Slot = 0; Slot < Shader.RWTextures.size(); ++Slot)
@@ -251,12 +249,12 @@ void FDispatchReuse::FindOutputs(const FBoundShader& Shader, const FKernelArgs& 
 		for (int32 Level = 0; Level < View.NumMips; ++Level)
 		{
 			const FKernelMip& Mip = View.Mips[Level];
-			AddOutput(Mip, GetTexelBytes(View.Storage), GetRect(Mip), GetAt(Shader.RWTextureOwners, Slot));
+			AddMip(Mip, GetTexelBytes(View.Storage), GetRect(Mip), GetAt(Shader.RWTextureOwners, Slot));
 		}
 	}
 	for (const FKernelBuffer& Buffer : Shader.RWBuffers)
 	{
-		Outputs.push_back({MakeBlock(Buffer)});
+		AddOutput(MakeBlock(Buffer));
 	}
 }
 
@@ -307,7 +305,7 @@ void FDispatchReuse::FindKey(const FBoundShader& Shader, const FKernelArgs& Args
 	Key = Hasher.Get();
 }
 
-std::optional<FDispatchReuse::FRun> FDispatchReuse::Take()
+std::optional<FReusedWork::FRun> FReusedWork::Take()
 {
 	const FReuseCache::FResult* const Result = Key.IsKnown() ? Cache->Find(Key) : nullptr;
 	if (!Result)
@@ -330,7 +328,7 @@ std::optional<FDispatchReuse::FRun> FDispatchReuse::Take()
 	return FRun{Result->Taps, Result->bFellBack};
 }
 
-void FDispatchReuse::Keep(const FRun& Run)
+void FReusedWork::Keep(const FRun& Run)
 {
 	uint64 NumBytes = 0;
 	for (const FOutput& Output : Outputs)

@@ -36,7 +36,7 @@ public:
 	size_t GetNumResults() const { return Results.size(); }
 
 private:
-	friend class FDispatchReuse;
+	friend class FReusedWork;
 
 	struct FResult
 	{
@@ -75,13 +75,22 @@ private:
 	FReuseCache* const Before;
 };
 
-/** One draw or dispatch: takes its result from the cache, or keeps it there. */
-class FDispatchReuse : private FNoncopyable
+/** Work that is decided by a hash: takes its result from the cache in scope, or keeps it there. */
+class DRYDOCK_API FReusedWork : private FNoncopyable
 {
 public:
-	/** Targets: the textures of Args.Targets; null, or a shorter list: nothing is written there. */
-	FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
-		const std::vector<FRHITexture*>& Targets);
+	/** Of all that decides the result, and of what kind it is. Not known: nothing is taken and nothing kept. */
+	explicit FReusedWork(const FMemoryHash& InKey)
+		: Cache(GetReuseCache())
+		, Key(Cache ? InKey : FMemoryHash())
+	{
+	}
+
+	/** All memory that the work writes, before Take; Texture: it is of this mip and plane. */
+	void AddOutput(const FTexelBlock& Block, FRHITexture* Texture = nullptr, int32 Mip = 0, int32 Plane = 0)
+	{
+		Outputs.push_back({Block, Texture, Mip, Plane});
+	}
 
 	struct FRun
 	{
@@ -89,33 +98,44 @@ public:
 		bool bFellBack = false; // a hand-written kernel ran its shader
 	};
 
-	/** Puts the kept result where the shader would have written it. Empty: the shader has to run. */
+	/** Puts the kept result where the work would have written it. Empty: it has to be done. */
 	std::optional<FRun> Take();
-	/** The shader has run. */
+	/** It is done. */
 	void Keep(const FRun& Run);
 
-	/** Why the cache is not asked, for people to read; empty: it is, or there is none. */
-	const std::string& GetWhyNot() const { return WhyNot; }
-
-private:
+protected:
 	struct FOutput
 	{
 		FTexelBlock Block;
-		FRHITexture* Texture = nullptr; // null: a buffer
+		FRHITexture* Texture = nullptr;
 		int32 Mip = 0;
 		int32 Plane = 0;
 	};
 
+	FReuseCache* const Cache;
+	FMemoryHash Key;
+	std::vector<FOutput> Outputs;
+	std::string WhyNot;
+};
+
+/** One draw or dispatch. */
+class FDispatchReuse : public FReusedWork
+{
+public:
+	/** Targets: the textures of Args.Targets; null, or a shorter list: nothing is written there. */
+	FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
+		const std::vector<FRHITexture*>& Targets);
+
+	/** Why nothing is taken or kept, for people to read; empty: it may be, or there is no cache. */
+	const std::string& GetWhyNot() const { return WhyNot; }
+
+private:
 	void FindOutputs(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 		const std::vector<FRHITexture*>& Targets);
-	void AddOutput(const FKernelMip& Mip, size_t TexelBytes, const FIntRect& Rect, FRHITexture* Texture);
+	void AddMip(const FKernelMip& Mip, size_t TexelBytes, const FIntRect& Rect, FRHITexture* Texture);
 	void FindKey(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 		const std::vector<FRHITexture*>& Targets);
 
-	FReuseCache* const Cache;
-	std::string WhyNot;
-	FMemoryHash Key; // not known: nothing is kept
-	std::vector<FOutput> Outputs;
 	bool bForeignOutput = false; // one whose texture is not known
 };
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "DispatchReuse.h"
 #include "Extensions/ExtensionErrors.h"
 #include "Run/Run.h"
 
@@ -15,9 +16,10 @@ namespace
 
 const std::string Library = DRYDOCK_TEST_BINARY_DIR "/lib/libTestPlugin.so";
 
-FRunResult RunWith(const std::string& More)
+FRunResult RunWith(const std::string& More, const std::shared_ptr<FReuseCache>& Cache = nullptr)
 {
 	FRunOptions Options;
+	Options.ReuseCache = Cache;
 	Options.ConfigFile = DRYDOCK_TEST_SOURCE_DIR "/configs/test.json";
 	Options.ConfigText = R"({"scene": {"file": "scenes/toon_character_641x359.exr"})" + More + "}";
 	return RunConfig(Options);
@@ -76,15 +78,17 @@ TEST(Plugins, AChangedFileIsLoadedAnew)
 	Files::create_directories(Folder);
 	const Files::path Changing = Folder / "libChanging.so";
 	int NumChanges = 0;
+	const auto Cache = std::make_shared<FReuseCache>();
 	// As a linker does: a new file in the place of the old one.
 	const auto RunAs = [&](const std::string& Name)
 	{
 		Files::remove(Changing);
 		Files::copy_file(DRYDOCK_TEST_BINARY_DIR "/lib/" + Name, Changing);
 		Files::last_write_time(Changing, Files::file_time_type::clock::now() + std::chrono::seconds(++NumChanges));
-		return RunWith(Plugins(Changing.string()));
+		return RunWith(Plugins(Changing.string()), Cache);
 	};
 	EXPECT_FALSE(IsRed(RunAs("libEmptyPlugin.so")));
+	EXPECT_TRUE(IsRed(RunAs("libStaticPlugin.so")));
 	EXPECT_TRUE(IsRed(RunAs("libStaticPlugin.so")));
 	const FRunResult Again = RunAs("libEmptyPlugin.so");
 	EXPECT_FALSE(IsRed(Again));

@@ -2,6 +2,7 @@
 // whose result a line of arithmetic tells, on a picture of 16 x 8: red x / 16, green y / 8, blue 1/4.
 #include <gtest/gtest.h>
 
+#include "DispatchReuse.h"
 #include "Picture/ImageFile.h"
 #include "Run/Run.h"
 
@@ -67,9 +68,11 @@ void PrintTo(const FStyle& Style, std::ostream* Stream)
 	*Stream << Style.Plugin;
 }
 
-FRunResult RunFrame(const std::string& Scene, const FStyle& Style, const FFrame& Frame)
+FRunResult RunFrame(const std::string& Scene, const FStyle& Style, const FFrame& Frame,
+	const std::shared_ptr<FReuseCache>& Cache = nullptr)
 {
 	FRunOptions Options;
+	Options.ReuseCache = Cache;
 	Options.ConfigFile = Scene + ".json";
 	Options.ConfigText = R"({"scene": {"file": ")" + Scene + R"("}, "showFlags": {"Bloom": false}, "engine": ")" +
 						 std::string(Style.Engine) + R"(", "cvars": {)" + Frame.Cvars +
@@ -80,6 +83,27 @@ FRunResult RunFrame(const std::string& Scene, const FStyle& Style, const FFrame&
 class PluginStyles : public testing::TestWithParam<FStyle>
 {
 };
+
+void ExpectArithmetic(const FRunResult& Result, const FStyle& Style, const FFrame& Frame)
+{
+	const FImage Picture = (Style.bDisplay ? Result.Final : Result.SceneLinear).ToImage();
+	// What a half float resolves up to 16, or half a step of 8 bits.
+	const double Tolerance = Style.bDisplay ? 0.501 / 255 : 1.0 / 1024;
+	ASSERT_EQ(Width, Picture.Width);
+	ASSERT_EQ(Height, Picture.Height);
+	for (int Y = 0; Y < Height; ++Y)
+	{
+		for (int X = 0; X < Width; ++X)
+		{
+			const FColor3 Expected = Frame.Expected(X, Y, SourceColor(X, Y));
+			for (int Channel = 0; Channel < 3; ++Channel)
+			{
+				ASSERT_NEAR(Expected[static_cast<size_t>(Channel)], Picture.Get(X, Y, Channel), Tolerance)
+					<< "pixel (" << X << ", " << Y << "), channel " << Channel;
+			}
+		}
+	}
+}
 
 // clang-format off
 const std::vector<FStyle> GStyles = {
@@ -158,22 +182,28 @@ TEST_P(PluginStyles, DoWhatTheirArithmeticSays)
 			// A gate that is shut does nothing, and the run remarks on it.
 			EXPECT_EQ(ESeverity::Note, Diagnostic.Severity) << Diagnostic.ToString();
 		}
-		const FImage Picture = (GetParam().bDisplay ? Result.Final : Result.SceneLinear).ToImage();
-		// What a half float resolves up to 16, or half a step of 8 bits.
-		const double Tolerance = GetParam().bDisplay ? 0.501 / 255 : 1.0 / 1024;
-		ASSERT_EQ(Width, Picture.Width);
-		ASSERT_EQ(Height, Picture.Height);
-		for (int Y = 0; Y < Height; ++Y)
+		ExpectArithmetic(Result, GetParam(), Frame);
+	}
+	Files::remove(Scene);
+}
+
+TEST_P(PluginStyles, DoTheSameWithPassesOfTheFrameBefore)
+{
+	const std::string Plugin = GetParam().Plugin;
+	if (Plugin == "RowAverage" || Plugin == "Trails")
+	{
+		GTEST_SKIP() << "each of its frames takes something from the frame before";
+	}
+	const std::string Scene = WriteScene();
+	const auto Cache = std::make_shared<FReuseCache>();
+	for (int Repetition = 0; Repetition < 2; ++Repetition)
+	{
+		for (const FFrame& Frame : GetParam().Frames)
 		{
-			for (int X = 0; X < Width; ++X)
-			{
-				const FColor3 Expected = Frame.Expected(X, Y, SourceColor(X, Y));
-				for (int Channel = 0; Channel < 3; ++Channel)
-				{
-					ASSERT_NEAR(Expected[static_cast<size_t>(Channel)], Picture.Get(X, Y, Channel), Tolerance)
-						<< "pixel (" << X << ", " << Y << "), channel " << Channel;
-				}
-			}
+			SCOPED_TRACE("cvars {" + Frame.Cvars + "}, repetition " + std::to_string(Repetition));
+			const FRunResult Result = RunFrame(Scene, GetParam(), Frame, Cache);
+			ExpectArithmetic(Result, GetParam(), Frame);
+			EXPECT_TRUE(Repetition == 0 || std::ranges::any_of(Result.Passes, &FRunPass::IsReused));
 		}
 	}
 	Files::remove(Scene);

@@ -129,6 +129,32 @@ TEST(Reuse, TheBloomsThresholdRunsTheBloom)
 	EXPECT_TRUE(HasName(Computed, "Tonemap"));
 }
 
+/** Each frame reads what lives on of the one before. */
+TEST(Reuse, FramesOfASequenceHaveTheSameBits)
+{
+	FRunOptions Options;
+	Options.ConfigFile = Root + "configs/sequence.json";
+	Options.bFingerprints = true;
+	const auto RunFrames = [&Options](const std::shared_ptr<FReuseCache>& Cache)
+	{
+		Options.ReuseCache = Cache;
+		FRunSession Session(Options);
+		std::vector<FViewHistory> Last;
+		std::vector<std::string> Reports;
+		for (int Frame = 1; Frame <= 3; ++Frame)
+		{
+			FRunResult Result = Session.Run(Frame, Last);
+			Last = Result.ViewStates;
+			Reports.push_back(Result.RunJson);
+		}
+		return Reports;
+	};
+	const std::vector<std::string> Own = RunFrames(nullptr);
+	const auto Cache = std::make_shared<FReuseCache>();
+	EXPECT_EQ(Own, RunFrames(Cache));
+	EXPECT_EQ(Own, RunFrames(Cache));
+}
+
 TEST(Reuse, LittleMemoryIsSlowerAndTheSame)
 {
 	const auto Cache = std::make_shared<FReuseCache>(1 << 20);

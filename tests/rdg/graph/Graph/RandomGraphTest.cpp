@@ -2,6 +2,7 @@
 // so a failure can be repeated.
 #include <gtest/gtest.h>
 
+#include "DispatchReuse.h"
 #include "GraphTestBuilder.h"
 
 #include <cstring>
@@ -256,6 +257,17 @@ TEST(RandomGraph, NoTransientHeapGivesTheSameBits)
 TEST(RandomGraph, ExtendedLifetimesGiveTheSameBits)
 {
 	ExpectSameBits(TEXT("r.RDG.Debug.ExtendResourceLifetimes"), 1);
+}
+TEST(RandomGraph, ACacheOfPassesGivesTheSameBits)
+{
+	FReuseCache Cache;
+	for (uint32 Seed = 0; Seed < NumGraphs; ++Seed)
+	{
+		const FGraphPlan Plan = MakePlan(Seed);
+		const std::vector<uint32> Expected = RunPlan(Plan);
+		const FScopedReuse Scope(&Cache);
+		ASSERT_EQ(Expected, RunPlan(Plan)) << "seed " << Seed;
+	}
 }
 TEST(RandomGraph, ClobberingWith1000GivesTheSameBits)
 {
