@@ -24,7 +24,8 @@ Pair=("$Work/strong" "$Work/weak")
 "$Drydock" run "$Source/configs/volumes_walk.json" --frames all --out "$Work/walk" --report >/dev/null
 "$Drydock" run "$Source/configs/volumes_walk.json" --frame 4 --out "$Work/walk4" --report >/dev/null
 "$Drydock" matrix "$Source/tests/plugins/ShowUV" --versions 5.4-5.5 --out "$Work/matrix" --report >/dev/null
-export CHROMIUM REPORT_RUNS=$Work DRYDOCK=$Drydock SOURCE=$Source
+DRYDOCK=$(realpath "$Drydock") SOURCE=$(realpath "$Source")
+export CHROMIUM REPORT_RUNS=$Work DRYDOCK SOURCE
 cd "$Source/report"
 coproc Server { exec node test/serve.mjs; }
 trap 'kill "$Server_PID"' EXIT

@@ -57,7 +57,7 @@ export class SettingsPanel {
 		const before = this.state?.settings.map(({ name }) => name).join();
 		this.state = state;
 		const chosen = this.target.value || "-1";
-		refill(this.target, state.volumes.map(({ name }) => name), () => [el("option", { value: -1 }, "the camera, over all volumes"), ...state.volumes.map((volume, i) => el("option", { value: i }, `volume ${volume.name || i}`))]);
+		refill(this.target, state.volumes.map(({ name }) => name), () => [el("option", { value: -1 }, "camera, over all"), ...state.volumes.map((volume, i) => el("option", { value: i }, `volume ${volume.name || i}`))]);
 		this.target.value = this.target.querySelector(`[value="${chosen}"]`) ? chosen : "-1";
 		if (state.settings.map(({ name }) => name).join() !== before) {
 			this.build();

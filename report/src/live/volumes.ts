@@ -98,7 +98,7 @@ class TopView {
 		this.origin = [left - room, low - room];
 		this.span = right - left + 2 * room;
 		const scale = 600 / this.span;
-		const height = Math.min(Math.max((high - low + 2 * room) * scale, 160), 520);
+		const height = Math.min(Math.max((high - low + 2 * room) * scale, 160), shapes.some((shape) => shape.length) || this.path.length ? 520 : 160);
 		this.origin[1] -= (height / scale - (high - low + 2 * room)) / 2;
 		const at = ([x, y]: number[]) => `${(x - this.origin[0]) * scale} ${(y - this.origin[1]) * scale}`;
 		this.weights.length = 0;
