@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace Drydock
 {
@@ -46,28 +47,56 @@ bool IsTarget(const std::string& Word)
 	return Lower.starts_with("sv_target") || Lower.starts_with("sv_depth");
 }
 
-/** The names of structs that hold what a pixel shader writes. */
-std::set<std::string> ListTargetStructs(const FHlslText& Text)
+bool IsPosition(const std::string& Word)
 {
-	std::set<std::string> Structs;
-	for (size_t At = 0; At + 2 < Text.Size(); ++At)
+	return ToLowerCase(Word).starts_with("sv_position");
+}
+
+/** The names of structs that hold what a pixel shader writes, and of those that hold what it reads. */
+struct FEntryStructs
+{
+	explicit FEntryStructs(const FHlslText& Text)
 	{
-		const size_t Close = Text.Is(At, "struct") && Text.Is(At + 2, "{") ? Text.FindClose(At + 2) : At;
-		for (size_t Word = At + 2; Word < std::min(Close, Text.Size()); ++Word)
+		for (size_t At = 0; At + 2 < Text.Size(); ++At)
 		{
-			if (IsTarget(Text[Word].Text) || Structs.contains(Text[Word].Text))
+			const size_t Close = Text.Is(At, "struct") && Text.Is(At + 2, "{") ? Text.FindClose(At + 2) : At;
+			for (size_t Index = At + 2; Index < std::min(Close, Text.Size()); ++Index)
 			{
-				Structs.insert(Text[At + 1].Text);
+				const std::string& Word = Text[Index].Text;
+				for (auto& [Structs, bHas] :
+					{std::pair(&Targets, IsTarget(Word)), std::pair(&Positions, IsPosition(Word))})
+				{
+					if (bHas || Structs->contains(Word))
+					{
+						Structs->insert(Text[At + 1].Text);
+					}
+				}
 			}
 		}
 	}
-	return Structs;
+
+	std::set<std::string> Targets;
+	std::set<std::string> Positions;
+};
+
+/** A pixel shader without targets, which discards or writes by other ways: void, with a position and without outputs.
+ */
+bool TakesPosition(const FHlslText& Text, const FFunctionText& Function, const FEntryStructs& Structs)
+{
+	bool bPosition = false;
+	bool bOut = !Text.Is(Function.Name - 1, "void");
+	for (size_t At = Function.Name + 1; At < Function.Body; ++At)
+	{
+		bPosition = bPosition || IsPosition(Text[At].Text) || Structs.Positions.contains(Text[At].Text);
+		bOut = bOut || Text.Is(At, "out") || Text.Is(At, "inout");
+	}
+	return bPosition && !bOut;
 }
 
-/** The stage of an entry point; nothing for other functions. Targets: of ListTargetStructs. A function with such a
- * struct is an entry where nothing calls it. */
+/** The stage of an entry point; nothing for other functions. A function with a struct of targets, or with a position
+ * alone, is an entry where nothing calls it. */
 std::optional<EShaderStage> FindStage(
-	const FHlslText& Text, const FFunctionText& Function, const std::set<std::string>& Targets)
+	const FHlslText& Text, const FFunctionText& Function, const FEntryStructs& Structs)
 {
 	const size_t Head = Function.Name - 1; // its type, behind the attributes
 	const size_t Opens = Head >= 5 && Text.Is(Head - 1, "]") ? Head - 1 : 0;
@@ -85,8 +114,9 @@ std::optional<EShaderStage> FindStage(
 		{
 			return EShaderStage::Pixel;
 		}
-		bStruct = bStruct || Targets.contains(Text[At].Text);
+		bStruct = bStruct || Structs.Targets.contains(Text[At].Text);
 	}
+	bStruct = bStruct || TakesPosition(Text, Function, Structs);
 	const bool bEntry = bStruct && std::ranges::count(Text.Tokens, Text[Function.Name].Text, &FHlslToken::Text) == 1;
 	return bEntry ? std::optional(EShaderStage::Pixel) : std::nullopt;
 }
@@ -106,10 +136,10 @@ std::vector<FShaderEntry> FindShaderEntries(const FShaderCompileRequest& Request
 		return Entries;
 	}
 	const FHlslText Text(FlattenShader(Request).Text, Request.VirtualPath);
-	const std::set<std::string> Targets = ListTargetStructs(Text);
+	const FEntryStructs Structs(Text);
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
-		if (const std::optional<EShaderStage> Stage = FindStage(Text, Function, Targets))
+		if (const std::optional<EShaderStage> Stage = FindStage(Text, Function, Structs))
 		{
 			Entries.push_back({Text[Function.Name].Text, *Stage});
 		}
@@ -134,11 +164,11 @@ FEntryTexts::FEntryTexts(const FShaderCompileRequest& Request)
 		Parts.emplace_back(Entry, Part.Join());
 		Next = End;
 	};
-	const std::set<std::string> Targets = ListTargetStructs(Text);
+	const FEntryStructs Structs(Text);
 	for (const FFunctionText& Function : ListFunctionTexts(Text))
 	{
 		const std::string& Name = Text[Function.Name].Text;
-		if (Mentions[Name] > 1 || !FindStage(Text, Function, Targets))
+		if (Mentions[Name] > 1 || !FindStage(Text, Function, Structs))
 		{
 			continue;
 		}

@@ -408,6 +408,27 @@ TEST(ShaderLint, EntriesAreFoundInTheText)
 	EXPECT_EQ("ThirdPS", Entries[2].Name);
 }
 
+TEST(ShaderLint, APixelShaderWithoutTargetsIsAnEntry)
+{
+	const FShaderCompileRequest Request =
+		MakeRequest("struct FIn { float4 P : SV_POSITION; float2 UV : TEXCOORD0; };\n"
+					"void DiscardPS(FIn In) { if (In.UV.x < 0.5) discard; }\n"
+					"void PlacePS(float4 P : SV_Position) { clip(P.x - 1); }\n"
+					"void PlaceVS(uint Id : SV_VertexID, out float4 P : SV_POSITION) { P = Id; }\n"
+					"void Called(FIn In) {}\nfloat4 MainPS(FIn In) : SV_Target0 { Called(In); return 1; }\n");
+	std::vector<std::string> Names;
+	for (const FShaderEntry& Entry : FindShaderEntries(Request))
+	{
+		Names.push_back(Entry.Name);
+		EXPECT_EQ(EShaderStage::Pixel, Entry.Stage);
+		FShaderCompileRequest Own = Request;
+		Own.EntryPoint = Entry.Name;
+		Own.Stage = Entry.Stage;
+		EXPECT_TRUE(LintShader(Own, 0xFF).empty()) << Entry.Name;
+	}
+	EXPECT_EQ((std::vector<std::string>{"DiscardPS", "PlacePS", "MainPS"}), Names);
+}
+
 /** docs/lint.md is made of the table: DRYDOCK_BLESS=1 writes it anew. */
 TEST(ShaderLint, DocIsMadeOfTheTable)
 {
