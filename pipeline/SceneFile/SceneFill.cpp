@@ -222,7 +222,7 @@ private:
 	std::vector<std::unique_ptr<FPixelSource>> Scaled; // by region; null: pixel for pixel
 };
 
-/** Of all that decides the texels. */
+/** Hashes all that decides the texels. */
 FMemoryHash HashInputs(const FRHITexture& Texture, const FSceneFillInputs& Inputs)
 {
 	FMemoryHasher Hasher;

@@ -161,13 +161,27 @@ FReuseCache::FResult* FReuseCache::Find(const FMemoryHash& Key)
 	return &*Known->second;
 }
 
+void FReuseCache::BeginFrame()
+{
+	++Frame;
+	while (!Results.empty() && Results.back().LastFrame + KeptFrames < Frame)
+	{
+		RemoveOldest();
+	}
+}
+
+void FReuseCache::RemoveOldest()
+{
+	Bytes -= Results.back().NumBytes;
+	ByKey.erase(Results.back().Key);
+	Results.pop_back();
+}
+
 FReuseCache::FResult* FReuseCache::Add(const FMemoryHash& Key, uint64 NumBytes)
 {
 	while (!Results.empty() && Bytes + NumBytes > MaxBytes && Results.back().LastFrame < Frame)
 	{
-		Bytes -= Results.back().NumBytes;
-		ByKey.erase(Results.back().Key);
-		Results.pop_back();
+		RemoveOldest();
 	}
 	if (Bytes + NumBytes > MaxBytes || ByKey.contains(Key))
 	{

@@ -16,12 +16,14 @@ namespace Drydock
 
 /** Results by a hash of all that decides them: the shader, its constants, samplers and interpolants, the threads, the
  * contents of what it reads, and the contents before of what it does not overwrite as a whole. A result is all texels
- * and bytes that the shader may have written. Results that were not used for the longest time go first. Not for two
- * threads at once. */
+ * and bytes that the shader may have written. Results that no frame used for a while go, those that were not used for
+ * the longest time first. Not for two threads at once. */
 class DRYDOCK_API FReuseCache : private FNoncopyable
 {
 public:
 	static constexpr uint64 DefaultBytes = uint64(1) << 30;
+	/** A result goes when so many frames have not used it: a hand that drags leaves one in each frame. */
+	static constexpr uint64 KeptFrames = 32;
 
 	/** Results take at most so much memory. */
 	explicit FReuseCache(uint64 InMaxBytes = DefaultBytes)
@@ -30,7 +32,7 @@ public:
 	}
 
 	/** A frame begins. Results that the frames before used or made may go where memory is needed. */
-	void BeginFrame() { ++Frame; }
+	void BeginFrame();
 
 	uint64 GetBytes() const { return Bytes; }
 	size_t GetNumResults() const { return Results.size(); }
@@ -49,6 +51,7 @@ private:
 		uint64 LastFrame = 0;
 	};
 
+	void RemoveOldest();
 	/** Null: it is not there. */
 	FResult* Find(const FMemoryHash& Key);
 	/** Null: there is no room beside the results of this frame. */
@@ -79,7 +82,8 @@ private:
 class DRYDOCK_API FReusedWork : private FNoncopyable
 {
 public:
-	/** Of all that decides the result, and of what kind it is. Not known: nothing is taken and nothing kept. */
+	/** InKey: a hash of the kind of work and of all that decides its result. Not known: nothing is taken and nothing
+	 * kept. */
 	explicit FReusedWork(const FMemoryHash& InKey)
 		: Cache(GetReuseCache())
 		, Key(Cache ? InKey : FMemoryHash())

@@ -360,6 +360,24 @@ TEST_F(DispatchReuse, AnObserverSwitchesItOffUnlessItAllows)
 	EXPECT_EQ(40.0f, Look.Seen);
 }
 
+TEST_F(DispatchReuse, ResultsThatNoFrameUsesGo)
+{
+	const auto Frame = [&]
+	{
+		Draw({.Constant = 1}, *Out);
+	};
+	EXPECT_TRUE(Runs(Frame));
+	EXPECT_TRUE(Runs([&] { Draw({.Constant = 2}, *Out); }));
+	for (uint64 Number = 0; Number < FReuseCache::KeptFrames; ++Number)
+	{
+		EXPECT_EQ(2u, Cache.GetNumResults());
+		EXPECT_FALSE(Runs(Frame));
+	}
+	EXPECT_FALSE(Runs(Frame));
+	EXPECT_EQ(1u, Cache.GetNumResults());
+	EXPECT_EQ(uint64(40 * 24 * 4), Cache.GetBytes());
+}
+
 TEST_F(DispatchReuse, MemoryIsBoundedAndTheOldestGoesFirst)
 {
 	constexpr uint64 OneResult = 40 * 24 * 4;
