@@ -2,7 +2,7 @@
 // wrong. liveServer.test.mjs has the real one.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
+import { axeSource, checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
 import { startMock } from "./liveMock.mjs";
 import { readShown } from "./liveServer.mjs";
 
@@ -326,6 +326,9 @@ test("nothing runs over the side or moves when a picture comes, and axe finds no
 		}));
 		await page.waitForTimeout(500);
 		assert.ok((await shifts()) < 0.02, `the page moved by ${await shifts()}`);
+		await page.evaluate(axeSource);
+		const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+		assert.deepEqual(violations.map(({ id, nodes }) => id + ": " + nodes.map((node) => node.target)), []); // nothing slight, either
 	});
 	await mock.breakOff();
 });

@@ -220,8 +220,9 @@ class LivePage {
 		this.buttons.undo.disabled = !state.canUndo;
 		this.buttons.redo.disabled = !state.canRedo;
 		this.buttons.reset.disabled = !state.changed && !state.canUndo;
-		this.volumes.update(state);
-		if (this.hand.rests) {
+		const settled = this.hand.knows(state.revision);
+		this.volumes.update(state, settled);
+		if (settled) {
 			this.settings.update(state);
 			this.variables.update(state);
 		}
