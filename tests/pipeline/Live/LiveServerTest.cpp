@@ -6,6 +6,7 @@
 #include "Picture/PictureFile.h"
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace LiveTest;
 
@@ -205,8 +206,7 @@ TEST_F(LiveServer, SavesBesideTheConfigOrUnderOutAndNowhereElse)
 	EXPECT_EQ("../../toon.exr", FJson::parse(Folder.Read("out/deep/c.json"), nullptr, true, true)["scene"]["file"]);
 	EXPECT_EQ(0, Folder.Call("check out/deep/c.json").ExitCode);
 	EXPECT_EQ(Folder.Read("b.json"), Program.Get("/api/text?as=config").Body);
-	EXPECT_EQ("{\"set\": \"/camera\", \"value\": {\"Settings\": {\"BloomIntensity\": 3}}}\n",
-		Program.Get("/api/text?as=lines").Body);
+	EXPECT_EQ("{\"set\": \"/camera/Settings/BloomIntensity\", \"value\": 3}\n", Program.Get("/api/text?as=lines").Body);
 	EXPECT_NE(std::string::npos, Program.Get("/api/text?as=engine").Body.find("bOverride_BloomIntensity=True"));
 }
 
@@ -225,6 +225,25 @@ TEST_F(LiveServer, EndsByItsButtonAndBySignals)
 		EXPECT_EQ(FJson::object(), Told.WaitFor("bye"));
 		EXPECT_EQ(128 + Signal, Program.WaitForEnd());
 	}
+}
+
+TEST_F(LiveServer, OpensTheBrowserByAFileThatTheUserAloneReads)
+{
+	Folder.Write("xdg-open", "#!/bin/sh\nstat -c %a \"$1\" > mode\ncp \"$1\" opened.part\nmv opened.part opened\n");
+	Files::permissions(Folder.Path / "xdg-open", Files::perms::owner_all);
+	const std::string Path = std::getenv("PATH");
+	setenv("PATH", (Folder.Path.string() + ":" + Path).c_str(), 1);
+	setenv("DISPLAY", ":77", 1);
+	const FLiveProgram Program(Folder.Path, {"a.json"}, true);
+	setenv("PATH", Path.c_str(), 1);
+	unsetenv("DISPLAY");
+	for (int Try = 0; Try < 600 && !Files::exists(Folder.Path / "opened"); ++Try)
+	{
+		std::this_thread::sleep_for(std::chrono::milliseconds(100));
+	}
+	const std::string Address = "http://127.0.0.1:" + std::to_string(Program.Port) + "/?token=" + Program.Token;
+	EXPECT_NE(std::string::npos, Folder.Read("opened").find("url=" + Address + "\"")) << Folder.Read("opened");
+	EXPECT_EQ("600\n", Folder.Read("mode"));
 }
 
 TEST_F(LiveServer, TellsWhatIsWrongBeforeItStarts)
