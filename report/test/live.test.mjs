@@ -141,6 +141,16 @@ test("a server that goes away is said and waited for; one that has ended says so
 		assert.ok(await page.isVisible("#canvas"));
 		await mock.reopen();
 		await until(page, () => !document.querySelector("#notice div"));
+		for (const value of ["3", "4"]) {
+			await page.fill(box, value);
+			await page.keyboard.press("Enter");
+			await showsFrameOf(page, mock);
+		}
+		await page.evaluate(() => (document.body.dataset.old = "true"));
+		await mock.breakOff();
+		mock.restart();
+		await mock.reopen();
+		await until(page, () => !document.body.dataset.old && document.documentElement.dataset.ready === "true" && document.querySelector("#set-BloomIntensity").value === "4");
 		await page.click("#show-end");
 		await page.click("#end-now");
 		await until(page, () => /has ended/.test(document.querySelector("#notice").textContent));
