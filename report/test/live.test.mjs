@@ -150,7 +150,8 @@ test("a server that goes away is said and waited for; one that has ended says so
 		await mock.breakOff();
 		mock.restart();
 		await mock.reopen();
-		await until(page, () => !document.body.dataset.old && document.documentElement.dataset.ready === "true" && document.querySelector("#set-BloomIntensity").value === "4");
+		await page.waitForSelector("html[data-ready] body:not([data-old])");
+		assert.equal(await page.inputValue(slider), "4");
 		await page.click("#show-end");
 		await page.click("#end-now");
 		await until(page, () => /has ended/.test(document.querySelector("#notice").textContent));
