@@ -288,6 +288,39 @@ TEST_F(LiveServer, FollowsFilesThatOthersEdit)
 	EXPECT_TRUE(Program.State()["fault"].is_null());
 }
 
+TEST_F(LiveServer, FollowsShadersAndNamesTheLineOfAMistake)
+{
+	ASSERT_EQ(0, Folder.Call("overlay new MyCurve --pass Tonemap").ExitCode);
+	const std::string File = "MyCurve/Engine/Shaders/Private/PostProcessTonemap.usf";
+	const std::string Text = Folder.Read(File);
+	const FLiveProgram Program(Folder.Path, {"MyCurve/MyCurve.json"});
+	Program.WaitForFrame();
+	const std::string Good = Program.Get("/api/picture/now?kind=final8").Body;
+	FEventStream Events(Program);
+	const size_t At = Text.find("OutColor = ");
+	ASSERT_NE(std::string::npos, At);
+	const long Line = std::count(Text.begin(), Text.begin() + static_cast<long>(At), '\n') + 1;
+	const auto Write = [&](const std::string& Inserted)
+	{
+		Folder.Write(File, std::string(Text).insert(At, Inserted));
+	};
+	Write("OutColor = 1; return; ");
+	EXPECT_TRUE(Events.WaitFor("frame").is_object());
+	const std::string White = Program.Get("/api/picture/now?kind=final8").Body;
+	EXPECT_EQ(std::string(White.size(), '\xff'), White);
+	Write("nonsense; ");
+	const FJson Fault = Events.WaitFor("fault");
+	EXPECT_EQ(Line, Fault["messages"][0]["line"]) << Fault;
+	EXPECT_TRUE(Fault["messages"][0]["file"].get<std::string>().ends_with("PostProcessTonemap.usf")) << Fault;
+	EXPECT_EQ(White, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_FALSE(Program.State()["fault"].is_null());
+	Write("");
+	EXPECT_TRUE(Events.WaitFor("frame").is_object());
+	EXPECT_EQ(Good, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_TRUE(Program.State()["fault"].is_null());
+	EXPECT_FALSE(Program.State()["changed"]); // the config is as it was
+}
+
 TEST_F(LiveServer, AnswersWhatTheVerbsPrint)
 {
 	const FLiveProgram Program(Folder.Path, {"a.json"});
