@@ -38,8 +38,8 @@ public:
 	/** The name of a drag that sets these places; empty: it is none. Id: as the page names it, or empty. */
 	static std::string MakeDrag(const std::string& Id, const std::vector<FConfigEdit>& Edits);
 
-	/** Line: JSON, for the record. Steps of one drag that follow each other are one step, and one line. Where there are
-	 * too many bytes, the start and this state remain, in the record too. */
+	/** Line: JSON, for the record. Steps of one drag that follow each other are one step, and one line. After 64 MB
+	 * only the start and this state remain, in the record too. */
 	void Take(const std::string& Text, EMove Move, const std::string& Line, const std::string& Drag = "");
 
 	/** Something beside the text has changed. */
