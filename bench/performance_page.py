@@ -260,6 +260,11 @@ def make_summary(folder):
         row = find_row(edit, begin)
         if row:
             lines.append(f"| edit of {row[0]}, CPU ms | {row[1]} | {goal} |")
+    live = read_result(folder, "bench_live")
+    for size, goal in (("960 x 540", 20), ("1920 x 1080", 50)):
+        row = find_row(live, size)
+        if row:
+            lines.append(f"| `live`, {size}, edit to picture beside the passes, ms | {row[5]} | {goal} |")
     row = find_row(read_result(folder, "bench_graph"), "chain, a texture each | 60")
     if row:
         lines.append(f"| graph of 60 passes, build and compile, us | {row[4]} | 50 |")
@@ -295,7 +300,7 @@ def main(arguments):
         sys.exit(__doc__)
     page = PAGE.read_text()
     page = fill(page, "summary", make_summary(RESULTS))
-    for name in ("run", "edit", "picture_files", "texels", "functions", "strips", "roofline", "graph", "usf"):
+    for name in ("run", "edit", "live", "picture_files", "texels", "functions", "strips", "roofline", "graph", "usf"):
         page = fill(page, f"bench_{name}", read_result(RESULTS, f"bench_{name}"))
     tables, compared = make_peer_tables([Round(file) for file in arguments])
     page = fill(page, "peers", tables)

@@ -275,6 +275,17 @@ void WriteInto(FJsonWriter& Writer, const FJsonValue& Value)
 
 void AddChanges(const FJsonValue& Before, const FJsonValue& After, std::vector<FConfigEdit>& Changes)
 {
+	FJsonValue Nothing;
+	Nothing.Type = EJsonType::Object;
+	if (Before.Type == EJsonType::Array && After.Type == EJsonType::Array &&
+		Before.Elements.size() == After.Elements.size())
+	{
+		for (size_t Index = 0; Index < After.Elements.size(); ++Index)
+		{
+			AddChanges(Before.Elements[Index], After.Elements[Index], Changes);
+		}
+		return;
+	}
 	if (Before.Type != EJsonType::Object || After.Type != EJsonType::Object)
 	{
 		if (WriteJson(Before) != WriteJson(After))
@@ -285,9 +296,11 @@ void AddChanges(const FJsonValue& Before, const FJsonValue& After, std::vector<F
 	}
 	for (const FJsonMember& Member : After.Members)
 	{
-		if (const FJsonValue* const Known = Before.Find(Member.Key))
+		const FJsonValue* const Known = Before.Find(Member.Key);
+		const bool bMade = Known == nullptr && !Member.Value.Members.empty(); // on the way to its own members
+		if (Known != nullptr || bMade)
 		{
-			AddChanges(*Known, Member.Value, Changes);
+			AddChanges(bMade ? Nothing : *Known, Member.Value, Changes);
 		}
 		else
 		{

@@ -31,8 +31,8 @@ DRYDOCK_API std::string WriteJson(const FJsonValue& Value);
  * (DD1120): a place that cannot be, or one to remove that is not there. */
 DRYDOCK_API std::string ApplyEdits(const std::string& Text, const std::vector<FConfigEdit>& Edits);
 
-/** The edits that make the values of After from those of Before, member by member; arrays change as a whole. Both:
- * JSON as above. */
+/** The edits that make the values of After from those of Before, member by member; an array whose size differs
+ * changes as a whole. Both: JSON as above. */
 DRYDOCK_API std::vector<FConfigEdit> FindChanges(const std::string& Before, const std::string& After);
 
 /** The value at a place of the text, as it stands there; nothing where there is none. */

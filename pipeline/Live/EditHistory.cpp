@@ -131,37 +131,26 @@ void FEditHistory::Take(const std::string& Text, EMove Move, const std::string& 
 	++Revision;
 	const bool bDragged = !Drag.empty() && Drag == LastDrag && Now > 0 && Steps[Now].Drag == Drag && !CanRedo();
 	LastDrag = Drag;
-	if (Move != EMove::Forward)
-	{
-		Now += Move == EMove::Undo ? size_t(-1) : 1;
-		Lines.push_back(Line);
-		return;
-	}
 	if (bDragged)
 	{
 		Steps[Now].Text = Text;
 		Lines.back() = Line;
 		return;
 	}
-	Steps.resize(Now + 1);
-	Steps.push_back({Text, Drag});
-	++Now;
 	Lines.push_back(Line);
-	ForgetOldest();
-}
-
-void FEditHistory::ForgetOldest()
-{
-	size_t Bytes = 0;
-	for (const FStep& Step : Steps)
+	if (Move == EMove::Forward)
 	{
-		Bytes += Step.Text.size();
+		Steps.resize(Now + 1);
+		Steps.push_back({Text, Drag});
 	}
-	while (Bytes > MaxHistoryBytes && Now > 1)
+	Now += Move == EMove::Undo ? size_t(-1) : 1;
+	NumBytes += Line.size() + Text.size() + Drag.size();
+	if (NumBytes > MaxHistoryBytes && Now > 0)
 	{
-		Bytes -= Steps[1].Text.size(); // the first is the start
-		Steps.erase(Steps.begin() + 1);
-		--Now;
+		Steps = {Steps.front(), Steps[Now]};
+		Now = 1;
+		Lines = {"{\"text\": " + FJsonWriter::Quote(GetText()) + "}"};
+		NumBytes = 0;
 	}
 }
 

@@ -38,7 +38,8 @@ public:
 	/** The name of a drag that sets these places; empty: it is none. Id: as the page names it, or empty. */
 	static std::string MakeDrag(const std::string& Id, const std::vector<FConfigEdit>& Edits);
 
-	/** Line: JSON, for the record. Steps of one drag that follow each other are one step, and one line. */
+	/** Line: JSON, for the record. Steps of one drag that follow each other are one step, and one line. After 64 MB
+	 * only the start and this state remain, in the record too. */
 	void Take(const std::string& Text, EMove Move, const std::string& Line, const std::string& Drag = "");
 
 	/** Something beside the text has changed. */
@@ -57,8 +58,6 @@ private:
 		std::string Drag;
 	};
 
-	void ForgetOldest();
-
 	std::string File;
 	std::vector<FStep> Steps;
 	size_t Now = 0;
@@ -66,6 +65,7 @@ private:
 	std::string First;              // line of the record
 	std::vector<std::string> Lines; // of the record, behind it
 	std::string LastDrag;           // of the last line
+	size_t NumBytes = 0;            // that were added
 };
 
 } // namespace Drydock

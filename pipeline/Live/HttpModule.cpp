@@ -170,7 +170,7 @@ public:
 		bEnding = true;
 		if (Listener.joinable())
 		{
-			while (!is_running())
+			for (int Try = 0; Try < 1000 && !is_running(); ++Try) // it has just been started
 			{
 				std::this_thread::sleep_for(std::chrono::milliseconds(1));
 			}

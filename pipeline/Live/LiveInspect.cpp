@@ -38,7 +38,7 @@ std::string MakeAnswer(const std::string& Text, const std::string& Json)
 	return Writer.GetText();
 }
 
-/** What differs from the start, at most a few: "BloomIntensity 2, r.BloomQuality 3". */
+/** The changes since the start, at most a few: "BloomIntensity 2, r.BloomQuality 3". */
 std::string DescribeDifference(const FEditHistory& History)
 {
 	constexpr size_t Most = 3;

@@ -36,8 +36,10 @@ std::string MakeMessagesJson(const std::vector<FDiagnostic>& Messages)
 	return Writer.GetText();
 }
 
-std::string MakeFaultJson(uint64_t Revision, const std::vector<FDiagnostic>& Messages)
+std::string MakeFaultJson(uint64_t Revision, std::vector<FDiagnostic> Messages)
 {
+	std::ranges::stable_partition(
+		Messages, [](const FDiagnostic& Message) { return Message.Severity == ESeverity::Error; });
 	FJsonWriter Writer('{');
 	Writer.Member("revision", Revision);
 	WriteMessageList(Writer, Messages);

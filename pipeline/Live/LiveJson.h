@@ -16,8 +16,8 @@ class FLiveSession;
 /** {"messages": [{severity, code, message, where, file, line}]} */
 std::string MakeMessagesJson(const std::vector<FDiagnostic>& Messages);
 
-/** The event "fault": a state of which no frame was made, and why. */
-std::string MakeFaultJson(uint64_t Revision, const std::vector<FDiagnostic>& Messages);
+/** The event "fault": a state of which no frame was made, and why; errors come first. */
+std::string MakeFaultJson(uint64_t Revision, std::vector<FDiagnostic> Messages);
 
 /** The event "frame". WholeMs: from the state to its picture. */
 std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double WholeMs);

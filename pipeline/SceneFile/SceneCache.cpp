@@ -29,10 +29,10 @@ void FSceneCache::Keep(int Channel, FPlane Plane)
 	Planes[Channel] = std::move(Plane);
 }
 
-const FKeptSceneTexture* FSceneCache::FindTexture(const std::string& Name, const std::string& Key) const
+const FKeptSceneTexture* FSceneCache::FindTexture(const std::string& Name) const
 {
 	const auto Found = Textures.find(Name);
-	return Found == Textures.end() || Found->second.Key != Key ? nullptr : &Found->second;
+	return Found == Textures.end() ? nullptr : &Found->second;
 }
 
 void FSceneCache::KeepTexture(const std::string& Name, FKeptSceneTexture Texture)

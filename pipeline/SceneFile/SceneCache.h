@@ -40,8 +40,8 @@ public:
 
 	void Keep(int Channel, FPlane Plane);
 
-	/** The texture of that name; null where it is not here, or where another key decides its texels. */
-	const FKeptSceneTexture* FindTexture(const std::string& Name, const std::string& Key) const;
+	/** The texture of that name, by whatever key; null where there is none. */
+	const FKeptSceneTexture* FindTexture(const std::string& Name) const;
 
 	/** In place of the one that it has of this name. Nobody writes to it as long as it is here: see ForgetTexture. */
 	void KeepTexture(const std::string& Name, FKeptSceneTexture Texture);

@@ -71,7 +71,8 @@ FRDGTextureRef FSceneFile::Register(FRDGBuilder& GraphBuilder, const FScenePacki
 	if (Cache != nullptr && KeptContext)
 	{
 		const std::string Key = Keys[Packing.Name] = MakeKey(Packing, *Texture);
-		if (const FKeptSceneTexture* const Known = Cache->FindTexture(Packing.Name, Key))
+		const FKeptSceneTexture* const Known = Cache->FindTexture(Packing.Name);
+		if (Known != nullptr && Known->Key == Key)
 		{
 			Texture = Known->Texture;
 			Kept[Packing.Name] = Known->NonFinite;

@@ -65,7 +65,7 @@ export interface Column<T> {
 export function table<T>(columns: Column<T>[], rows: T[], attributes: (row: T) => Record<string, Value> = () => ({})): HTMLElement {
 	const css = (column: Column<T>) => ({ class: [column.number ? "number" : "", column.wide ? "wide" : ""].join(" ").trim() || undefined });
 	return el("div", { class: "table" }, el("table", {},
-		el("thead", {}, el("tr", {}, columns.map((column) => el("th", { scope: "col", ...css(column) }, column.title)))),
+		el("thead", {}, el("tr", {}, columns.map((column) => el(column.title ? "th" : "td", { scope: column.title ? "col" : undefined, ...css(column) }, column.title)))),
 		el("tbody", {}, rows.map((row) => el("tr", attributes(row),
 			columns.map((column) => el("td", { ...css(column), "data-title": column.title }, ...[column.cell(row)].flat())))))));
 }

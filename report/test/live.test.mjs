@@ -2,7 +2,7 @@
 // wrong. liveServer.test.mjs has the real one.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
+import { axeSource, checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
 import { startMock } from "./liveMock.mjs";
 import { readShown } from "./liveServer.mjs";
 
@@ -141,6 +141,17 @@ test("a server that goes away is said and waited for; one that has ended says so
 		assert.ok(await page.isVisible("#canvas"));
 		await mock.reopen();
 		await until(page, () => !document.querySelector("#notice div"));
+		for (const value of ["3", "4"]) {
+			await page.fill(box, value);
+			await page.keyboard.press("Enter");
+			await showsFrameOf(page, mock);
+		}
+		await page.evaluate(() => (document.body.dataset.old = "true"));
+		await mock.breakOff();
+		mock.restart();
+		await mock.reopen();
+		await page.waitForSelector("html[data-ready] body:not([data-old])");
+		assert.equal(await page.inputValue(slider), "4");
 		await page.click("#show-end");
 		await page.click("#end-now");
 		await until(page, () => /has ended/.test(document.querySelector("#notice").textContent));
@@ -326,6 +337,9 @@ test("nothing runs over the side or moves when a picture comes, and axe finds no
 		}));
 		await page.waitForTimeout(500);
 		assert.ok((await shifts()) < 0.02, `the page moved by ${await shifts()}`);
+		await page.evaluate(axeSource);
+		const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+		assert.deepEqual(violations.map(({ id, nodes }) => id + ": " + nodes.map((node) => node.target)), []); // nothing slight, either
 	});
 	await mock.breakOff();
 });

@@ -283,7 +283,8 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 			tell("state", { revision });
 			run();
 		},
-		setDelay: (ms) => (delay = ms),
+		/** As after a crash: it counts anew. */
+		restart: () => ([revision, running, waiting] = [1, false, false]) && run(),
 		breakOff: () => new Promise((closed) => {
 			server.close(closed);
 			server.closeAllConnections();

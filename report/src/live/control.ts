@@ -34,9 +34,7 @@ export function makeFault(): { element: HTMLElement; say: (text: string) => void
 
 let drags = 0;
 
-export function startDrag(): string {
-	return `${Math.round(performance.timeOrigin)}-${++drags}`;
-}
+export const startDrag = (): string => `${Math.round(performance.timeOrigin)}-${++drags}`;
 
 /** A round step of which a slider has some two hundred. */
 function findStep(low: number, high: number): number {

@@ -95,11 +95,7 @@ export interface State {
 }
 
 /** A key of a JSON pointer. */
-export function escapeKey(key: string): string {
-	return key.replaceAll("~", "~0").replaceAll("/", "~1");
-}
+export const escapeKey = (key: string): string => key.replaceAll("~", "~0").replaceAll("/", "~1");
 
 /** The place of a setting in the config: of a volume, or with -1 of the camera. */
-export function pointTo(volume: number, setting: string): string {
-	return `${volume < 0 ? "/camera" : `/volumes/${volume}`}/Settings/${escapeKey(setting)}`;
-}
+export const pointTo = (volume: number, setting: string): string => `${volume < 0 ? "/camera" : `/volumes/${volume}`}/Settings/${escapeKey(setting)}`;

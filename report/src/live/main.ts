@@ -15,9 +15,7 @@ import { makeTabs } from "./tabs";
 import { VariablesPanel } from "./variables";
 import { VolumesPanel } from "./volumes";
 
-const restAfter = 250; // ms without a new picture
-const priceAfter = 2500;
-const followAfter = 120;
+const [restAfter, priceAfter, followAfter] = [250, 2500, 120]; // ms: without a new picture; at rest; between two looks at the weights
 
 class LivePage {
 	private readonly hand = new Hand();
@@ -214,14 +212,18 @@ class LivePage {
 	}
 
 	private update(state: State): void {
+		if (state.revision < this.frames.shown) {
+			location.reload(); // the server began again after a crash, and counts anew
+		}
 		this.state = state;
 		this.title.replaceChildren(state.name, el("span", { class: "quiet", "data-tip": "Differs from the start" }, state.changed ? " •" : ""));
 		document.title = `${state.changed ? "• " : ""}${state.name} · drydock live`;
 		this.buttons.undo.disabled = !state.canUndo;
 		this.buttons.redo.disabled = !state.canRedo;
 		this.buttons.reset.disabled = !state.changed && !state.canUndo;
-		this.volumes.update(state);
-		if (this.hand.rests) {
+		const settled = this.hand.knows(state.revision);
+		this.volumes.update(state, settled);
+		if (settled) {
 			this.settings.update(state);
 			this.variables.update(state);
 		}

@@ -21,7 +21,7 @@ export class PassesPanel {
 		refill(this.box, frame.passes, () => [table([
 			{ title: "Pass", cell: (row) => el("button", { type: "button", class: "link", onclick: () => this.openPass(row.index) }, `${row.index}  ${shortName(row.name)}`) },
 			{ title: "Time", number: true, cell: (row) => (row.reused ? el("span", { class: "quiet" }, "reused") : ms(row.ms)) },
-			{ title: "", wide: true, cell: (row) => el("span", { class: "bar", style: `--share:${row.reused ? 0 : row.ms / longest}` }) },
+			{ title: "Share", wide: true, cell: (row) => el("span", { class: "bar", style: `--share:${row.reused ? 0 : row.ms / longest}` }) },
 		], frame.passes, (row) => ({ class: row.reused ? "off" : "" }))]);
 		refill(this.effects, frame.effects, () => [table(effectColumns, [...frame.effects].sort((a, b) => Number(b.active) - Number(a.active)), (row) => ({ class: row.active ? "" : "off" }))]);
 	}

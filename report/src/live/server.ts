@@ -88,6 +88,7 @@ export class Hand {
 	private waiting: Waiting | null = null;
 	private flying = false;
 	private awaited = 0; // revision
+	private newest = 0; // of this page's edits
 	private done = 0; // newest revision that became a frame or a fault
 	private readonly inputs: { revision: number; at: number; drag?: string }[] = [];
 	private waits: number[] = []; // of the last drag, ms from input to picture
@@ -96,6 +97,11 @@ export class Hand {
 
 	get rests(): boolean {
 		return !this.flying && !this.waiting;
+	}
+
+	/** Whether a state has all that this page changed. */
+	knows(revision: number): boolean {
+		return this.rests && revision >= this.newest;
 	}
 
 	edit(edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at = performance.now()): void {
@@ -146,7 +152,7 @@ export class Hand {
 		try {
 			const { revision } = await post<{ revision: number }>("edit", { edits: [...edits.values()].map(({ edit }) => edit), ...(drag && { drag }) });
 			this.inputs.push({ revision, at, drag });
-			this.awaited = revision;
+			this.awaited = this.newest = revision;
 			this.onRevision(revision);
 			this.timer = window.setTimeout(() => this.land(), 30000); // a frame that never came
 			this.finish(this.done);

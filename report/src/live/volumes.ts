@@ -54,9 +54,9 @@ class TopView {
 		}, el("circle", { class: "hit", r: 20 }), el("circle", { class: "body", r: 6 }));
 	}
 
-	update(state: State): void {
+	update(state: State, settled: boolean): void {
 		const { volumes, view } = state;
-		this.location = this.drag ? this.location : [...view.location];
+		this.location = this.drag || !settled ? this.location : [...view.location];
 		this.path = view.path ?? [];
 		refill(this.element, [volumes.map(({ bounds, blendRadius, name, unbound }) => [bounds, blendRadius, name, unbound]), view.path], () => [this.draw(state)]);
 		volumes.forEach((volume, i) => this.weights[i]?.setAttribute("fill-opacity", String(0.06 + 0.45 * volume.weight)));
@@ -146,18 +146,13 @@ const parts: { field: "enabled" | "unbound" | "priority" | "blendWeight" | "blen
 	{ field: "blendRadius", key: "BlendRadius", label: "Blend radius", unit: "cm", range: { clampMin: 0, clampMax: null, uiMin: 0, uiMax: null } },
 ];
 
-interface Card {
-	element: HTMLElement;
-	update: (volume: LiveVolume) => void;
-}
-
 export class VolumesPanel {
 	readonly element: HTMLElement;
 	private readonly fault = makeFault();
 	private readonly top: TopView;
 	private readonly place: Control;
 	private readonly list = el("div", { class: "volumes" });
-	private cards: Card[] = [];
+	private cards: ReturnType<VolumesPanel["makeCard"]>[] = [];
 
 	constructor(private readonly sendEdits: SendEdits, private readonly editSettings: (volume: number) => void) {
 		const move = (location: number[], drag?: string, at?: number) => this.send("/view/location", location, drag, at);
@@ -168,15 +163,18 @@ export class VolumesPanel {
 			this.fault.element, this.list);
 	}
 
-	update(state: State): void {
+	/** Settled: no hand is at work, and the controls take the values. */
+	update(state: State, settled: boolean): void {
 		const { volumes } = state;
-		this.place.show(state.view.location.map((value) => Number(value.toFixed(2))));
-		this.top.update(state);
+		if (settled) {
+			this.place.show(state.view.location.map((value) => Number(value.toFixed(2))));
+		}
+		this.top.update(state, settled);
 		refill(this.list, volumes.map(({ name }) => name), () => {
 			this.cards = volumes.map((volume, i) => this.makeCard(volume, i));
 			return volumes.length ? this.cards.map((card) => card.element) : [el("p", { class: "quiet" }, "The config has no volumes.")];
 		});
-		volumes.forEach((volume, i) => this.cards[i].update(volume));
+		volumes.forEach((volume, i) => this.cards[i].update(volume, settled));
 	}
 
 	private send(set: string, value: Json, drag?: string, at?: number): void {
@@ -184,7 +182,7 @@ export class VolumesPanel {
 		this.sendEdits([{ set, value }], this.fault.refused, drag, at);
 	}
 
-	private makeCard(first: LiveVolume, index: number): Card {
+	private makeCard(first: LiveVolume, index: number) {
 		const controls = parts.map(({ field, key, label, unit, range }) => makeControl({
 			id: `volume-${index}-${key}`, label: `${label} of ${first.name}` + (unit && `, ${unit}`), type: "float", value: first[field], range, guess: first.blendRadius,
 			send: (now, drag, at) => this.send(`/volumes/${index}/${key}`, now, drag, at), refuse: this.fault.say,
@@ -196,8 +194,8 @@ export class VolumesPanel {
 				el("div", { class: "setting-head" }, el("i", { class: "c" + (index % colors) }), el("strong", {}, first.name || `volume ${index}`), why, acts,
 					el("button", { type: "button", class: "small", onclick: () => this.editSettings(index) }, "Its settings")),
 				parts.map(({ key, label, unit }, i) => el("div", { class: "volume-part" }, el("label", { for: `volume-${index}-${key}` }, label, el("span", { class: "quiet" }, " " + unit)), controls[i].element))),
-			update: (volume) => {
-				parts.forEach(({ field }, i) => controls[i].show(volume[field]));
+			update: (volume: LiveVolume, settled: boolean) => {
+				parts.forEach(({ field }, i) => settled && controls[i].show(volume[field]));
 				acts.textContent = volume.weight ? "acts " + percent(volume.weight) : "does not act";
 				acts.style.setProperty("--share", String(volume.weight));
 				why.textContent = volume.skipped || (volume.unbound ? "everywhere" : volume.distance === null ? "" : volume.distance === 0 ? "camera inside" : `${number(Number(volume.distance.toPrecision(4)))} cm away`);

@@ -150,15 +150,17 @@ TEST(ConfigText, WhatCannotBeIsRefused)
 
 TEST(ConfigText, ChangesAreTheEditsBetweenTwoTexts)
 {
-	const std::string Before = R"({"a": 1, "b": {"c": [1, 2], "d~/": "x"}, "e": 0} // so)";
-	const std::string After = R"({"b": {"d~/": "y", "c": [1, 2], "f": {"g": 1}}, "a": 1.0})";
+	const std::string Before = R"({"a": 1, "b": {"c": [1, {"k": 2}], "d~/": "x"}, "e": 0} // so)";
+	const std::string After = R"({"b": {"d~/": "y", "c": [1, {"k": 3}], "f": {"g": 1, "h": {}}}, "a": 1.0})";
 	std::string Lines;
 	for (const FConfigEdit& Change : FindChanges(Before, After))
 	{
 		Lines += WriteEdit(Change) + "\n";
 	}
 	EXPECT_EQ("{\"set\": \"/b/d~0~1\", \"value\": \"y\"}\n"
-			  "{\"set\": \"/b/f\", \"value\": {\"g\": 1}}\n"
+			  "{\"set\": \"/b/c/1/k\", \"value\": 3}\n"
+			  "{\"set\": \"/b/f/g\", \"value\": 1}\n"
+			  "{\"set\": \"/b/f/h\", \"value\": {}}\n"
 			  "{\"remove\": \"/e\"}\n",
 		Lines);
 	EXPECT_EQ(Parse(After), Parse(ApplyEdits(Before, FindChanges(Before, After))));

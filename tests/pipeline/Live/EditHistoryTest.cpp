@@ -115,6 +115,24 @@ TEST(EditHistory, TheRecordGivesTheSameState)
 	EXPECT_EQ(History.GetRecord(), Again.GetRecord());
 }
 
+TEST(EditHistory, AFloodLeavesTheStartAndTheStateOfNow)
+{
+	FEditHistory History("c.json", "{\"a\": 0}");
+	const std::string Long = '"' + std::string(1'000'000, 'x') + '"';
+	for (int Number = 0; Number < 50; ++Number)
+	{
+		Edit(History, MakeEdit(Number % 2 == 0 ? Long : "1", Number % 2 == 0 ? "/b" : "/a"));
+	}
+	EXPECT_LT(History.GetRecord().size(), 70'000'000u);
+	EXPECT_EQ(History.GetText(), FEditHistory::Replay(History.GetRecord(), "s.jsonl").GetText());
+	while (History.CanUndo())
+	{
+		History.Take(History.Undo(), EMove::Undo, "{\"undo\": true}");
+		ASSERT_EQ(History.GetText(), FEditHistory::Replay(History.GetRecord(), "s.jsonl").GetText());
+	}
+	EXPECT_EQ("{\"a\": 0}", History.GetText());
+}
+
 TEST(EditHistory, AMistakeOfTheRecordIsNamedByItsLine)
 {
 	FEditHistory History("c.json", "{\"a\": 0}");

@@ -120,6 +120,19 @@ TEST_F(LiveDoor, RefusesWhatIsTooLargeOrOfAnotherKind)
 	EXPECT_EQ(404, Ask("GET", "/api/picture/..%2f..%2fetc%2fpasswd?kind=final8", Program->MakeHeaders()));
 	EXPECT_EQ(422, Program->Ask("POST", "/api/edit", Program->MakeHeaders(), std::string(500000, '[')).Status);
 	EXPECT_EQ(422, Program->Ask("POST", "/api/edit", Program->MakeHeaders(), "\"\xff\xfe\"").Status);
+	// The library reads ranges by regular expressions: long ones, and what is none.
+	std::string Ranges = "bytes=0-1";
+	while (Ranges.size() < 8000)
+	{
+		Ranges += ",0-1";
+	}
+	for (const std::string& Range :
+		{Ranges, std::string(8000, '1'), "bytes=" + std::string(8000, ' '), std::string("bytes=9-1")})
+	{
+		Ask("GET", "/api/state", With("Range", Range));
+	}
+	EXPECT_EQ(200, Ask("GET", "/api/state", With("Range", "bytes=0-1")));
+	EXPECT_EQ(200, Ask("GET", "/api/state", With("Accept-Encoding", "gzip, br")));
 	// Headers without an end are cut off.
 	FConnection Endless(Program->Port);
 	Endless.Send("GET / HTTP/1.1\r\n");

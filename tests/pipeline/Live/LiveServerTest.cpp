@@ -6,6 +6,7 @@
 #include "Picture/PictureFile.h"
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace LiveTest;
 
@@ -236,8 +237,7 @@ TEST_F(LiveServer, SavesBesideTheConfigOrUnderOutAndNowhereElse)
 	EXPECT_EQ("../../toon.exr", FJson::parse(Folder.Read("out/deep/c.json"), nullptr, true, true)["scene"]["file"]);
 	EXPECT_EQ(0, Folder.Call("check out/deep/c.json").ExitCode);
 	EXPECT_EQ(Folder.Read("b.json"), Program.Get("/api/text?as=config").Body);
-	EXPECT_EQ("{\"set\": \"/camera\", \"value\": {\"Settings\": {\"BloomIntensity\": 3}}}\n",
-		Program.Get("/api/text?as=lines").Body);
+	EXPECT_EQ("{\"set\": \"/camera/Settings/BloomIntensity\", \"value\": 3}\n", Program.Get("/api/text?as=lines").Body);
 	EXPECT_NE(std::string::npos, Program.Get("/api/text?as=engine").Body.find("bOverride_BloomIntensity=True"));
 }
 
@@ -256,6 +256,25 @@ TEST_F(LiveServer, EndsByItsButtonAndBySignals)
 		EXPECT_EQ(FJson::object(), Told.WaitFor("bye"));
 		EXPECT_EQ(128 + Signal, Program.WaitForEnd());
 	}
+}
+
+TEST_F(LiveServer, OpensTheBrowserByAFileThatTheUserAloneReads)
+{
+	Folder.Write("xdg-open", "#!/bin/sh\nstat -c %a \"$1\" > mode\ncp \"$1\" opened.part\nmv opened.part opened\n");
+	Files::permissions(Folder.Path / "xdg-open", Files::perms::owner_all);
+	const std::string Path = std::getenv("PATH");
+	setenv("PATH", (Folder.Path.string() + ":" + Path).c_str(), 1);
+	setenv("DISPLAY", ":77", 1);
+	const FLiveProgram Program(Folder.Path, {"a.json"}, true);
+	setenv("PATH", Path.c_str(), 1);
+	unsetenv("DISPLAY");
+	for (int Try = 0; Try < 600 && !Files::exists(Folder.Path / "opened"); ++Try)
+	{
+		std::this_thread::sleep_for(std::chrono::milliseconds(100));
+	}
+	const std::string Address = "http://127.0.0.1:" + std::to_string(Program.Port) + "/?token=" + Program.Token;
+	EXPECT_NE(std::string::npos, Folder.Read("opened").find("url=" + Address + "\"")) << Folder.Read("opened");
+	EXPECT_EQ("600\n", Folder.Read("mode"));
 }
 
 TEST_F(LiveServer, TellsWhatIsWrongBeforeItStarts)
@@ -298,6 +317,39 @@ TEST_F(LiveServer, FollowsFilesThatOthersEdit)
 	Write("1.5", "1.25");
 	EXPECT_TRUE(Events.WaitFor("frame").is_object());
 	EXPECT_TRUE(Program.State()["fault"].is_null());
+}
+
+TEST_F(LiveServer, FollowsShadersAndNamesTheLineOfAMistake)
+{
+	ASSERT_EQ(0, Folder.Call("overlay new MyCurve --pass Tonemap").ExitCode);
+	const std::string File = "MyCurve/Engine/Shaders/Private/PostProcessTonemap.usf";
+	const std::string Text = Folder.Read(File);
+	const FLiveProgram Program(Folder.Path, {"MyCurve/MyCurve.json"});
+	Program.WaitForFrame();
+	const std::string Good = Program.Get("/api/picture/now?kind=final8").Body;
+	FEventStream Events(Program);
+	const size_t At = Text.find("OutColor = ");
+	ASSERT_NE(std::string::npos, At);
+	const long Line = std::count(Text.begin(), Text.begin() + static_cast<long>(At), '\n') + 1;
+	const auto Write = [&](const std::string& Inserted)
+	{
+		Folder.Write(File, std::string(Text).insert(At, Inserted));
+	};
+	Write("OutColor = 1; return; ");
+	EXPECT_TRUE(Events.WaitFor("frame").is_object());
+	const std::string White = Program.Get("/api/picture/now?kind=final8").Body;
+	EXPECT_EQ(std::string(White.size(), '\xff'), White);
+	Write("nonsense; ");
+	const FJson Fault = Events.WaitFor("fault");
+	EXPECT_EQ(Line, Fault["messages"][0]["line"]) << Fault;
+	EXPECT_TRUE(Fault["messages"][0]["file"].get<std::string>().ends_with("PostProcessTonemap.usf")) << Fault;
+	EXPECT_EQ(White, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_FALSE(Program.State()["fault"].is_null());
+	Write("");
+	EXPECT_TRUE(Events.WaitFor("frame").is_object());
+	EXPECT_EQ(Good, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_TRUE(Program.State()["fault"].is_null());
+	EXPECT_FALSE(Program.State()["changed"]); // the config is as it was
 }
 
 TEST_F(LiveServer, AnswersWhatTheVerbsPrint)

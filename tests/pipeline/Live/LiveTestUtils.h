@@ -19,12 +19,13 @@ using namespace ProgramTest;
 class FLiveProgram
 {
 public:
-	FLiveProgram(const Files::path& InFolder, const std::vector<std::string>& Arguments)
+	FLiveProgram(const Files::path& InFolder, const std::vector<std::string>& Arguments, bool bOpen = false)
 		: Folder(InFolder)
 	{
 		int Pipe[2] = {-1, -1};
 		EXPECT_EQ(0, pipe2(Pipe, O_CLOEXEC));
-		std::vector<std::string> All = {DRYDOCK_TEST_BINARY_DIR "/bin/drydock", "live", "--no-open"};
+		std::vector<std::string> All = {DRYDOCK_TEST_BINARY_DIR "/bin/drydock", "live"};
+		All.insert(All.end(), bOpen ? 0 : 1, "--no-open");
 		All.insert(All.end(), Arguments.begin(), Arguments.end());
 		std::vector<char*> Pointers;
 		for (std::string& Argument : All)
