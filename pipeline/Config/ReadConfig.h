@@ -24,8 +24,8 @@ DRYDOCK_API FConfigDocument ParseConfigDocument(const std::string& Text, const s
 /** Throws FError (exit code 3) when the file cannot be opened. */
 DRYDOCK_API FConfigDocument LoadConfigDocument(const std::string& File);
 
-/** File, Plugins, Objects and Assets alone: plugins bring console variables and settings, which the rest of the config names.
- * Mistakes are reported when all of it is read. */
+/** File, Plugins, Objects and Assets alone: plugins bring console variables and settings, which the rest of the config
+ * names. Mistakes are reported when all of it is read. */
 DRYDOCK_API FConfig ReadConfigPlugins(const FConfigDocument& Document);
 
 /** All of it. Every mistake that can be found is appended to Diagnostics, in the order of the file; where one is an

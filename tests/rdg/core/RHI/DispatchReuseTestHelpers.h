@@ -81,7 +81,7 @@ inline void DrawSum(const FKernelArgs& Args, const FKernelTile& Tile)
 	}
 }
 
-/** What a pass binds. */
+/** The resources that a pass binds. */
 struct FPass
 {
 	float Constant = 1.0f;
