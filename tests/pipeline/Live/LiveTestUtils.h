@@ -68,7 +68,7 @@ public:
 	{
 		if (Child > 0)
 		{
-			kill(Child, SIGKILL);
+			kill(Child, SIGTERM); // it waits for the process that it keeps
 			WaitForEnd();
 		}
 	}
