@@ -25,8 +25,9 @@ export async function stopBrowser() {
 }
 
 /** Opens a file, or the page of a server, calls the test, and fails where the page wrote to the console, threw, or asked
- * for anything else. Options: of the browser's window; allow: a pattern of what it may write. */
-export async function onPage(file, test, { allow, ...options } = {}) {
+ * for anything else. Options: of the browser's window; allow: a pattern of what it may write;
+ * before: is called while the page makes itself. */
+export async function onPage(file, test, { allow, before = () => undefined, ...options } = {}) {
 	const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", reducedMotion: "reduce", ...options });
 	const page = await context.newPage();
 	const faults = [];
@@ -41,6 +42,7 @@ export async function onPage(file, test, { allow, ...options } = {}) {
 	});
 	try {
 		await page.goto(url);
+		before(page);
 		await page.waitForSelector("html[data-ready]");
 		await until(page, () => !document.querySelector("#facts") || !!document.querySelector("#facts dd"));
 		await test(page);

@@ -2,6 +2,7 @@
 // wrong. liveServer.test.mjs has the real one.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
 import { axeSource, checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
 import { startMock } from "./liveMock.mjs";
 import { readShown } from "./liveServer.mjs";
@@ -36,7 +37,20 @@ async function dragSlider(page, selector, shares, pause = 0) {
 	await page.mouse.up();
 }
 
-const showsFrameOf = (page, mock) => until(page, (revision) => document.documentElement.dataset.revision === revision, String(Math.max(...[...mock.pictures.keys()].map(Number).filter(Boolean))));
+/** Until the page sent so many edits. */
+async function sends(mock, count) {
+	for (const end = Date.now() + 30000; edits(mock).length < count; await sleep(20)) {
+		assert.ok(Date.now() < end, `the page sent ${edits(mock).length} edits`);
+	}
+}
+
+/** Until the page sent so many edits and shows the frame of the newest state. */
+async function showsFrameOf(page, mock, count = 1) {
+	await sends(mock, count);
+	for (const end = Date.now() + 30000; (await page.evaluate(() => document.documentElement.dataset.revision)) !== String(mock.getRevision()); await sleep(20)) {
+		assert.ok(Date.now() < end, `the page never showed revision ${mock.getRevision()}`);
+	}
+}
 
 test("while a hand drags one edit at most is in flight, the newest value wins, and the page measures itself", async () => {
 	await withMock(async (page, mock) => {
@@ -141,10 +155,10 @@ test("a server that goes away is said and waited for; one that has ended says so
 		assert.ok(await page.isVisible("#canvas"));
 		await mock.reopen();
 		await until(page, () => !document.querySelector("#notice div"));
-		for (const value of ["3", "4"]) {
+		for (const [count, value] of [[1, "3"], [2, "4"]]) {
 			await page.fill(box, value);
 			await page.keyboard.press("Enter");
-			await showsFrameOf(page, mock);
+			await showsFrameOf(page, mock, count);
 		}
 		await page.evaluate(() => (document.body.dataset.old = "true"));
 		await mock.breakOff();
@@ -156,6 +170,17 @@ test("a server that goes away is said and waited for; one that has ended says so
 		await page.click("#end-now");
 		await until(page, () => /has ended/.test(document.querySelector("#notice").textContent));
 	}, { allow: /ERR_|Failed to load/ });
+});
+
+test("a page that is opened before the first frame waits for it, and shows its mistake meanwhile", async () => {
+	const mock = await startMock({ ready: false });
+	mock.fail([{ severity: "error", code: "DD4012", message: "unexpected token", where: "", file: "Toon.usf", line: 12 }]);
+	let told;
+	await onPage(mock.url, async (page) => assert.ok(await page.isVisible("#canvas")), { before: (page) => {
+		told = until(page, () => /Toon\.usf:12 DD4012 unexpected token/.test(document.querySelector(".waiting")?.textContent)).then(() => mock.fail(null));
+	} });
+	await told;
+	await mock.breakOff();
 });
 
 test("save asks a second time before it writes over a file; text can be copied; the session is a file", async () => {
@@ -197,13 +222,13 @@ test("settings are found by words, ticked, edited for a volume, and tell why", a
 		await until(page, () => document.querySelector('[data-setting="BloomIntensity"]').dataset.set === "true");
 		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/camera/Settings/BloomIntensity", value: 1.5 }]);
 		await page.uncheck('[data-setting="BloomIntensity"] input[type="checkbox"]');
-		await page.waitForTimeout(400);
+		await sends(mock, 2);
 		assert.deepEqual(edits(mock).at(-1).body.edits, [{ remove: "/camera/Settings/BloomIntensity" }]);
 		await page.click("#tab-volumes");
 		await page.locator(".volume-card", { hasText: "Room" }).getByText("Its settings").click();
 		await page.fill(box, "4");
 		await page.keyboard.press("Enter");
-		await page.waitForTimeout(400);
+		await sends(mock, 3);
 		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/volumes/1/Settings/BloomIntensity", value: 4 }]);
 	});
 });
@@ -221,8 +246,9 @@ test("the camera moves among the volumes by mouse and by arrow keys, and the wei
 		await until(page, () => /camera inside.*acts 100 %/.test([...document.querySelectorAll(".volume-card")][1].textContent));
 		const value = edits(mock, "/view/location").at(-1).body.edits[0].value;
 		assert.ok(value[0] > 0 && value[2] === 145); // the path's height
+		const before = edits(mock).length;
 		await page.keyboard.press("Shift+ArrowLeft");
-		await page.waitForTimeout(300);
+		await sends(mock, before + 1);
 		assert.ok(edits(mock, "/view/location").at(-1).body.edits[0].value[0] < value[0]);
 		await page.fill("#volume-1-BlendWeight", "0.5");
 		await until(page, () => /acts (4\d|50|[1-4](\.\d)?|3\d|2\d) %/.test([...document.querySelectorAll(".volume-card")][1].textContent));
@@ -246,7 +272,7 @@ test("variables that matter stand there, others are found", async () => {
 		assert.deepEqual(edits(mock).map(({ body }) => body.edits[0]), ["many", 3].map((value) => ({ set: "/cvars/r.DOF.Gather.RingCount", value })));
 		await page.fill("#variables-search", "bloom");
 		await page.uncheck("#showFlags-Bloom");
-		await page.waitForTimeout(200);
+		await sends(mock, 3);
 		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/showFlags/Bloom", value: false }]);
 	}, { allow: /422/ });
 });
@@ -308,7 +334,7 @@ test("everything is done by keys alone", async () => {
 		}
 		await page.keyboard.press("ArrowRight");
 		await until(page, () => Number(document.querySelector("#set-BloomIntensity").value) > 1.5);
-		await page.waitForTimeout(300);
+		await sends(mock, 1);
 		assert.equal(edits(mock, "BloomIntensity").length, 1);
 		await page.focus("#tab-settings");
 		await page.keyboard.press("ArrowRight");

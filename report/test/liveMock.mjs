@@ -87,8 +87,8 @@ function makeReport(frame, state) {
 	};
 }
 
-/** Starts the mock; delay: ms of a frame. Gives its address, what the page asked of it, and hands to make it fail or end. */
-export async function startMock({ port = 0, delay = 15, width = 480, height = 270 } = {}) {
+/** Starts the mock; delay: ms of a frame; ready: only with its first frame. Gives its address, what the page asked of it, and hands to make it fail or end. */
+export async function startMock({ port = 0, delay = 15, width = 480, height = 270, ready = true } = {}) {
 	const token = "mock-token";
 	const clients = new Set();
 	const log = [];
@@ -274,7 +274,7 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 	});
 	await new Promise((ready) => server.listen(port, "127.0.0.1", ready));
 	run();
-	await new Promise((ready) => setTimeout(ready, delay + 100));
+	await new Promise((done) => setTimeout(done, ready ? delay + 100 : 0));
 	const hands = {
 		url: `http://127.0.0.1:${server.address().port}/?token=${token}`, log, pictures,
 		fail: (messages) => {
@@ -283,6 +283,7 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 			tell("state", { revision });
 			run();
 		},
+		getRevision: () => revision,
 		/** As after a crash: it counts anew. */
 		restart: () => ([revision, running, waiting] = [1, false, false]) && run(),
 		breakOff: () => new Promise((closed) => {

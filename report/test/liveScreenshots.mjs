@@ -38,7 +38,7 @@ const pictures = [
 		const camera = await page.locator(".camera .body").boundingBox();
 		const view = await page.locator(".top-view svg").boundingBox();
 		const at = [(camera.x + camera.width / 2 - view.x) / view.width, (camera.y + camera.height / 2 - view.y) / view.height];
-		await drag(page, ".top-view svg", at, [0.44, 0.5]);
+		await drag(page, ".top-view svg", at, [0.5, 0.53]);
 	}, { colorScheme: "dark", viewport: { width: 1440, height: 820 } }],
 	["live_mistake", join(work, "Patch/Patch.json"), async (page) => {
 		const shader = join(work, "Patch/Engine/Shaders/Private/PostProcessTonemap.usf");

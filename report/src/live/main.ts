@@ -290,14 +290,13 @@ class LivePage {
 }
 
 async function start(): Promise<void> {
-	const waiting = el("p", { class: "waiting", role: "status" }, "Waiting for drydock live…");
+	const waiting = el("p", { class: "waiting", role: "status" }, "Waiting for drydock live…"); // also where the first frame has a fault
 	document.body.append(waiting);
 	let state: State | null = null;
-	while (!state) {
-		state = await get<State>("state").catch((refusal: Refusal) => {
-			waiting.textContent = `${refusal.message}. The page tries again.`;
-			return new Promise<null>((done) => setTimeout(done, 1500, null));
-		});
+	while (!state?.frame) {
+		await new Promise((done) => setTimeout(done, state ? 500 : 0));
+		state = await get<State>("state").catch((refusal: Refusal) => ({ fault: { messages: refusal.messages } }) as State);
+		waiting.textContent = state.fault?.messages.map(({ code, message, file, line }) => [file && `${file}:${line}`, code, message].filter(Boolean).join(" ")).join("\n") ?? "Waiting for the first frame…";
 	}
 	waiting.remove();
 	new LivePage(state);

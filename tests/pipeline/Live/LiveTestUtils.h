@@ -8,6 +8,7 @@
 
 #include <csignal>
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <thread>
 #include <vector>
 
@@ -36,6 +37,7 @@ public:
 		Child = fork();
 		if (Child == 0)
 		{
+			prctl(PR_SET_PDEATHSIG, SIGTERM); // nothing stays where the test is killed
 			dup2(Pipe[1], STDOUT_FILENO);
 			const int Log = open((Folder / "log.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
 			dup2(Log, STDERR_FILENO);
@@ -66,7 +68,7 @@ public:
 	{
 		if (Child > 0)
 		{
-			kill(Child, SIGKILL);
+			kill(Child, SIGTERM); // it waits for the process that it keeps
 			WaitForEnd();
 		}
 	}
