@@ -25,7 +25,7 @@
 #include <link.h>
 #include <map>
 
-/** What plugins that were built with these headers need. */
+/** Plugins that were built with these headers need it. */
 extern "C"
 {
 	extern DRYDOCK_API const char DRYDOCK_HEADERS_MARK;

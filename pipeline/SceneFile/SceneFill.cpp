@@ -1,9 +1,7 @@
 // Takes values from planes, mends what policies ask for, and packs them into texels.
 #include "SceneFile/SceneFill.h"
 
-#include "DispatchReuse.h"
 #include "Picture/ImagePlane.h"
-#include "PixelFormatConversion.h"
 #include "TileExecutor.h"
 
 #include <algorithm>
@@ -222,52 +220,9 @@ private:
 	std::vector<std::unique_ptr<FPixelSource>> Scaled; // by region; null: pixel for pixel
 };
 
-/** Hashes all that decides the texels. */
-FMemoryHash HashInputs(const FRHITexture& Texture, const FSceneFillInputs& Inputs)
-{
-	FMemoryHasher Hasher;
-	const std::string Name = std::string("fill ") + Inputs.Packing.Name;
-	Hasher.Add(Name.data(), Name.size());
-	for (const FSceneFillSource& Source : Inputs.Sources)
-	{
-		const FImagePlane* const Plane = Source.Plane;
-		Hasher.Add(Source.Default);
-		const auto AddRows = [&](const auto& Values)
-		{
-			// Rows of any width: only the reader's are the picture's.
-			constexpr size_t InRow = 4096;
-			using T = typename std::decay_t<decltype(Values)>::value_type;
-			auto* const First = reinterpret_cast<uint8*>(const_cast<T*>(Values.data()));
-			const size_t Rows = Values.size() / InRow;
-			Hasher.Add(HashTexels({First, InRow * sizeof(T), static_cast<int32>(Rows), 1, InRow * sizeof(T), 0}));
-			Hasher.Add(Values.data() + Rows * InRow, (Values.size() - Rows * InRow) * sizeof(T));
-		};
-		if (Plane != nullptr)
-		{
-			AddRows(Plane->Halves);
-			AddRows(Plane->Floats);
-		}
-	}
-	const FScenePackContext& Context = Inputs.Context;
-	for (const bool bWord : {Context.Units.bDepthInCentimetres, Context.Units.bVelocityIsNdc,
-			 Context.Units.bNormalIsLeftHanded, IsStoreOverflowSaturated()})
-	{
-		Hasher.Add(bWord);
-	}
-	Hasher.Add(Context.PreExposure);
-	Hasher.Add(GetSceneColorClamp());
-	Hasher.Add(GetNonFinitePolicy());
-	Hasher.Add(Texture.GetStorage());
-	std::vector<FIntPoint> Points = {Context.ViewSize, Inputs.Corner, Texture.GetSizeXY(), FIntPoint(Inputs.Width, 0)};
-	for (const FSceneRegion& Region : Inputs.Regions)
-	{
-		Points.insert(Points.end(), {Region.Source.Min, Region.Source.Max, Region.Target.Min, Region.Target.Max});
-	}
-	Hasher.Add(Points.data(), Points.size() * sizeof(FIntPoint));
-	return Hasher.Get();
-}
+} // namespace
 
-FNonFiniteSlots FillRows(FRHITexture& Texture, const FSceneFillInputs& Inputs)
+FNonFiniteSlots FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs)
 {
 	const FRowFill Rows(Inputs);
 	const FIntPoint Extent = Texture.GetSizeXY();
@@ -293,25 +248,6 @@ FNonFiniteSlots FillRows(FRHITexture& Texture, const FSceneFillInputs& Inputs)
 		}
 	}
 	return All;
-}
-
-} // namespace
-
-FNonFiniteSlots FillSceneTexture(FRHITexture& Texture, const FSceneFillInputs& Inputs)
-{
-	FReusedWork Work(GetReuseCache() ? HashInputs(Texture, Inputs) : FMemoryHash());
-	const FTextureMipLayout& At = Texture.GetMipLayout(0);
-	const size_t RowBytes =
-		static_cast<size_t>(At.SizeX) * static_cast<size_t>(GetTexelStorageInfo(Texture.GetStorage()).BytesPerTexel);
-	Work.AddOutput({Texture.GetTexel(0, 0), RowBytes, At.SizeY, 1, At.RowPitch, 0}, &Texture);
-	FNonFiniteSlots Counts = {};
-	Work.AddOutput({reinterpret_cast<uint8*>(Counts.data()), sizeof(Counts), 1, 1, 0, 0});
-	if (!Work.Take())
-	{
-		Counts = FillRows(Texture, Inputs);
-		Work.Keep({});
-	}
-	return Counts;
 }
 
 } // namespace Drydock

@@ -179,7 +179,7 @@ private:
 	FReflection() = default;
 };
 
-/** What a call gets for null where it takes any UObject: the world, once there is one. */
+/** A call gets it for null where it takes any UObject: the world, once there is one. */
 DRYDOCK_API UObject*& GetWorldContext();
 
 /** Reads a value; what a type cannot give is None. */
