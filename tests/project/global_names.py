@@ -79,7 +79,8 @@ def main():
             text = path.read_text(encoding="utf-8")
             for name in names_of(text):
                 forward = re.search(rf"^(?:class|struct|enum class) {name}(?: : \w+)?;", text, flags=re.M)
-                places[bool(forward)].setdefault(name, header)
+                defined = re.search(rf"^(?:class|struct) (?:\w+_API )?{name}\b[^;\n]*\n\{{", text, flags=re.M)
+                places[bool(forward) and not defined].setdefault(name, header)
     names = {**places[True], **places[False]}
     if sys.argv[2:] == ["--list"]:
         print("\n".join(f"{name}\t{header}" for name, header in sorted(names.items())))
