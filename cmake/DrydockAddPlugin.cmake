@@ -452,8 +452,10 @@ namespace
 	set_source_files_properties("${MappingFile}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 	add_library(${Name} SHARED ${SourceFiles})
-	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}" PRIVATE "${GeneratedFolder}/absent"
-		"${GeneratedFolder}/${_DrydockFolderBelowEngine}")
+	target_include_directories(${Name} PUBLIC ${Folders} "${GeneratedFolder}"
+		PRIVATE "${GeneratedFolder}/${_DrydockFolderBelowEngine}")
+	# Behind all other folders: a header that a project makes later is not hidden by an empty one.
+	target_compile_options(${Name} PRIVATE "SHELL:-idirafter \"${GeneratedFolder}/absent\"")
 	target_link_libraries(${Name} PUBLIC drydock::drydock ${Needed})
 	target_compile_features(${Name} PUBLIC cxx_std_20)
 	target_compile_definitions(${Name} PRIVATE ${Definitions})

@@ -5,7 +5,6 @@
 #include "Config/ConfigReader.h"
 #include "AddedSettingFields.h"
 #include "CodeScope.h"
-#include "DrydockHeadersMark.h"
 #include "ExtensionFactory.h"
 #include "Engine/World.h"
 #include "Extensions/ExtensionErrors.h"
@@ -20,6 +19,7 @@
 #include "TextTools.h"
 #include "TimerManager.h"
 
+#include <DrydockHeadersMark.h>
 #include <dlfcn.h>
 #include <filesystem>
 #include <link.h>

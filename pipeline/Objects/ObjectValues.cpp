@@ -255,6 +255,13 @@ void FObjectValues::PlaceActors(const std::string& Library) const
 			{
 				FReflection::Get().Call(*Class, Called.Function, Called.Arguments, Object, Told);
 			}
+			else
+			{
+				FConfigMessages(Config.File, Diagnostics)
+					.Error(ErrorPropertyNotGiven, Call,
+						Called.Function + " is not called: there is no object of " + Class->Name +
+							", and drydock makes none, because its default constructor is not public");
+			}
 		}
 	}
 }

@@ -320,6 +320,7 @@ struct TUintFormat
 	static constexpr int Bytes = InChannels * Bits / 8;
 	static constexpr int Channels = InChannels;
 	static constexpr uint32_t Max = Bits == 32 ? ~0u : (1u << Bits % 32) - 1;
+	static constexpr bool bSigned = Storage == ETexelStorage::R32_SINT; // which differs where reals become integers
 
 	template<int N>
 	static DRYDOCK_LANES_INLINE void Decode(const TRaw<uint32_t, N>* W, TRaw<uint32_t, N> C[4])
@@ -336,7 +337,8 @@ struct TUintFormat
 		Decode<N>(W, Codes);
 		for (int c = 0; c < Channels; ++c)
 		{
-			C[c] = ToReal<float>(TUint<N>(Codes[c])).V;
+			const TUint<N> Code(Codes[c]);
+			C[c] = bSigned ? ToReal<float>(ToInt(Code)).V : ToReal<float>(Code).V;
 		}
 	}
 	template<int N>
@@ -353,7 +355,8 @@ struct TUintFormat
 		TRaw<uint32_t, N> Codes[4];
 		for (int c = 0; c < Channels; ++c)
 		{
-			Codes[c] = ToUint(TReal<float, N>(C[c])).V;
+			const TReal<float, N> Value(C[c]);
+			Codes[c] = bSigned ? ToUint(ToInt(Value)).V : ToUint(Value).V;
 		}
 		Encode<N>(Codes, W);
 	}
@@ -370,8 +373,9 @@ DRYDOCK_LANES_INLINE bool VisitUintFormat(ETexelStorage Storage, F f)
 	case ETexelStorage::R16_UINT:
 		return f(TUintFormat<ETexelStorage::R16_UINT, 1, 16>{});
 	case ETexelStorage::R32_UINT:
-	case ETexelStorage::R32_SINT: // the same bits
 		return f(TUintFormat<ETexelStorage::R32_UINT, 1, 32>{});
+	case ETexelStorage::R32_SINT:
+		return f(TUintFormat<ETexelStorage::R32_SINT, 1, 32>{});
 	case ETexelStorage::RG8_UINT:
 		return f(TUintFormat<ETexelStorage::RG8_UINT, 2, 8>{});
 	case ETexelStorage::RG16_UINT:

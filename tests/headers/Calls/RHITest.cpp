@@ -242,7 +242,7 @@ TEST(CallsOfRHI, Resources)
 		 "SetMipLevel",
 		RHICmdList.CreateShaderResourceView(Texture, FRHIViewDesc::CreateTextureSRV()
 														 .SetDimensionFromTexture(Texture)
-														 .SetFormat(PF_A32B32G32R32F)
+														 .SetFormat(PF_FloatRGBA)
 														 .SetMipRange(0, 1))
 					->GetNumMips() == 1 &&
 			RHICmdList

@@ -131,4 +131,7 @@ TEST(Ticking, WhatCannotBeCalledIsToldAtItsPlace)
 			HasSubstr("2122 /objects/ATickingActor/call/3: expected a function's name, or an object with one name")));
 	EXPECT_THAT(GetErrors(R"("ATickingActor": {"call": {"SetFactor": [1]}})"),
 		ElementsAre(HasSubstr("2122 /objects/ATickingActor/call: expected a list of calls")));
+	EXPECT_THAT(GetErrors(R"("UTickingLibrary": {"call": [{"Say": [1]}]})"),
+		ElementsAre(HasSubstr("2123 /objects/UTickingLibrary/call/0: Say is not called: there is no object of "
+							  "UTickingLibrary")));
 }

@@ -411,7 +411,7 @@ TEST(ShaderLint, EntriesAreFoundInTheText)
 TEST(ShaderLint, APixelShaderWithoutTargetsIsAnEntry)
 {
 	const FShaderCompileRequest Request =
-		MakeRequest("struct FIn { float4 P : SV_POSITION; float2 UV : TEXCOORD0; };\n"
+		MakeRequest("struct FIn { float2 UV : TEXCOORD0; float4 P : SV_POSITION; };\n"
 					"void DiscardPS(FIn In) { if (In.UV.x < 0.5) discard; }\n"
 					"void PlacePS(float4 P : SV_Position) { clip(P.x - 1); }\n"
 					"void PlaceVS(uint Id : SV_VertexID, out float4 P : SV_POSITION) { P = Id; }\n"

@@ -3,6 +3,7 @@
 #include "CoreMinimal.h"
 #include "GameFramework/Actor.h"
 #include "Kismet/BlueprintAsyncActionBase.h"
+#include "Kismet/BlueprintFunctionLibrary.h"
 #include "Subsystems/WorldSubsystem.h"
 #include "TimerManager.h"
 
@@ -174,4 +175,17 @@ public:
 	}
 
 	float Amount = 0.0f;
+};
+
+/** Nobody but the engine makes one. */
+UCLASS()
+class TICKING_API UTickingLibrary : public UBlueprintFunctionLibrary
+{
+	GENERATED_BODY()
+
+	UTickingLibrary() = default;
+
+public:
+	UFUNCTION(BlueprintCallable)
+	static void Say(float Word) { ATickingActor::Added += Word; }
 };
