@@ -38,8 +38,8 @@ std::string MakeMessagesJson(const std::vector<FDiagnostic>& Messages)
 
 std::string MakeFaultJson(uint64_t Revision, std::vector<FDiagnostic> Messages)
 {
-	std::ranges::stable_partition(
-		Messages, [](const FDiagnostic& Message) { return Message.Severity == ESeverity::Error; });
+	std::stable_partition(Messages.begin(), Messages.end(),
+		[](const FDiagnostic& Message) { return Message.Severity == ESeverity::Error; });
 	FJsonWriter Writer('{');
 	Writer.Member("revision", Revision);
 	WriteMessageList(Writer, Messages);

@@ -235,8 +235,8 @@ void FObjectValues::PlaceActors(const std::string& Library) const
 		}
 	}
 	// An actor may bring a component that is named, too.
-	std::ranges::stable_partition(
-		Named, [](const auto& Each) { return Each.first->GetDefault && Cast<AActor>(Each.first->GetDefault()); });
+	std::stable_partition(Named.begin(), Named.end(),
+		[](const auto& Each) { return Each.first->GetDefault && Cast<AActor>(Each.first->GetDefault()); });
 	for (const auto& [Class, Value] : Named)
 	{
 		if (Class->Place)
