@@ -22,7 +22,7 @@ run_step("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefi
 file(GLOB_RECURSE Headers RELATIVE "${WORK}/prefix/include/drydock" "${WORK}/prefix/include/drydock/*")
 foreach(Header IN LISTS Headers)
 	if((NOT Header MATCHES "^(rdg/core|rdg/graph|rdg/shader/Lanes|settings|passes|engine)/.*[.](h|inl)$"
-			OR Header MATCHES "^(passes/Native|settings/Text)/") AND NOT Header STREQUAL "pipeline/DrydockFrame.h")
+			OR Header MATCHES "^(passes/Native|settings/Text)/") AND NOT Header MATCHES "^pipeline/Drydock(Frame|HeadersMark)[.]h$")
 		message(FATAL_ERROR "${Header} is installed, which is no affair of plugins")
 	endif()
 endforeach()
