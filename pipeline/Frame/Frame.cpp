@@ -1,4 +1,5 @@
-// Renders one frame, in the order in which the engine does.
+// Renders one frame, in the order in which the engine does. A little past 500 lines: one class, which goes through a
+// frame.
 #include "Frame/Frame.h"
 
 #include "Async/Async.h"

@@ -152,7 +152,7 @@ public:
 		set_error_handler(HandlerWithResponse(
 			[](const httplib::Request&, httplib::Response& Response)
 			{
-				bRefused = bRefused || Response.status == 400; // what follows cannot be told from it
+				bRefused = bRefused || Response.status == 400; // the rest of the bytes cannot be told from it
 				return HandlerResponse::Unhandled;
 			}));
 		set_exception_handler(

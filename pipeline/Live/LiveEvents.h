@@ -1,4 +1,4 @@
-// Server-sent events: what happens is told to every page that listens.
+// Server-sent events: every page that listens is told of edits, frames and mistakes.
 #pragma once
 
 #include <condition_variable>

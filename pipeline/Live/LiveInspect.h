@@ -20,10 +20,10 @@ std::string MakeLiveReport(FLiveSession& Session);
 /** The story of a setting, as `drydock blend --json` has it. Throws FError where there is none of this name. */
 std::string MakeLedgerJson(FLiveSession& Session, const std::string& Setting);
 
-/** {"text", "json"}: what `drydock probe` prints of a pixel of the frame. Pass: a pattern; empty: all. */
+/** {"text", "json"}: the output of `drydock probe` for a pixel of the frame. Pass: a pattern; empty: all. */
 std::string ProbeLive(FLiveSession& Session, int X, int Y, const std::string& Pass);
 
-/** {"text", "json"}: what `drydock trace` prints. */
+/** {"text", "json"}: the output of `drydock trace`. */
 std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pass);
 
 /** Measures time and error of the state, and keeps them as a dot. Returns the dot as JSON. IsLate: whether another

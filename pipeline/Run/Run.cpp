@@ -1,4 +1,4 @@
-// Runs a config: scene, frame, measurements, report.
+// Runs a config: scene, frame, measurements, report. A little past 500 lines: its steps share one setup.
 #include "Run/Run.h"
 
 #include "DiagnosticList.h"

@@ -219,7 +219,7 @@ FDispatchReuse::FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Ar
 			FindKey(Shader, Args, Whole, Targets);
 		}
 	}
-	// Whatever becomes of the dispatch, the hashes of what it writes hold no longer.
+	// The hashes of its outputs hold no longer, taken or run.
 	for (const FOutput& Output : Outputs)
 	{
 		if (Output.Texture)

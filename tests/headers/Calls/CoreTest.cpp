@@ -1,4 +1,5 @@
-// Calls of Core: containers, text, time, console variables, threads.
+// Calls of Core: containers, text, time, console variables, threads. A little past 500 lines: a list, a row for each
+// call.
 #include "Calls.h"
 
 #include "Async/Async.h"

@@ -1,4 +1,5 @@
-// Calls on the graph: builder, resources, passes, shaders' parameters, screen passes.
+// Calls on the graph: builder, resources, passes, shaders' parameters, screen passes. A little past 500 lines: a list,
+// a row for each call.
 #include "Calls.h"
 
 #include "CommonRenderResources.h"

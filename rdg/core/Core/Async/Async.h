@@ -34,7 +34,7 @@ namespace Drydock
 /** Runs a task at once, unless eight tasks have started each other already: then it waits for RunWaitingTasks. */
 DRYDOCK_API void RunTask(TUniqueFunction<void()> Task);
 
-/** Runs those that wait, once each: one that they start again waits for the next call. Called behind each frame. */
+/** Runs the waiting tasks, once each. A task that they start again waits for the next call. Each frame ends with it. */
 DRYDOCK_API void RunWaitingTasks();
 
 /** Forgets the waiting tasks of a plugin, by the file name of its shared object. */
