@@ -11,6 +11,11 @@ TAutoConsoleVariable<int32> CVarPreferCompute(TEXT("r.PostProcessing.PreferCompu
 	TEXT("1: post-processing uses compute shaders where a pass has one. Default 0, pixel shaders."),
 	ECVF_RenderThreadSafe);
 
+TAutoConsoleVariable<int32> CVarTemporalAASamples(TEXT("r.TemporalAASamples"), 8,
+	TEXT("Number of jitter samples, 1 to 255, that shaders read as View.TemporalAAParams.y; 8 by default. A scene's "
+		 "frames bring their own jitter."),
+	ECVF_RenderThreadSafe);
+
 } // namespace
 
 FViewInfo::FViewInfo()
@@ -54,7 +59,13 @@ void FViewInfo::InitViewUniformBuffer(FIntPoint BufferExtent)
 
 	Parameters.TemporalAAJitter = FVector4f(
 		FVector2f(ViewMatrices.GetTemporalAAJitter()), FVector2f(PrevViewInfo.ViewMatrices.GetTemporalAAJitter()));
-	Parameters.TemporalAAParams = FVector4f(0.0f, 1.0f, 0.0f, 0.0f);
+	const uint32 NumSamples =
+		TemporalJitterPixels == FVector2D(0.0, 0.0)
+			? 1u
+			: static_cast<uint32>(FMath::Clamp(CVarTemporalAASamples.GetValueOnAnyThread(), 1, 255));
+	Parameters.TemporalAAParams =
+		FVector4f(static_cast<float>(Parameters.StateFrameIndex % NumSamples), static_cast<float>(NumSamples),
+			static_cast<float>(TemporalJitterPixels.X), static_cast<float>(TemporalJitterPixels.Y));
 	Parameters.MaterialTextureDerivativeMultiply = 1.0f;
 	Parameters.CullingSign = 1.0f;
 	Parameters.CameraCut = bCameraCut ? 1.0f : 0.0f;

@@ -20,7 +20,7 @@ struct FPreviousViewInfo
 {
 	FIntRect ViewRect;
 	FViewMatrices ViewMatrices;
-	float SceneColorPreExposure = 1.0f;
+	float SceneColorPreExposure = 1.0f; // that the frame before stored its colours with
 };
 
 /** A family and its scene textures: each family of a frame is one. */

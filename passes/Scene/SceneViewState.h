@@ -41,7 +41,9 @@ struct FViewHistory
 {
 	bool bValid = false; // there was a frame
 	uint32 FrameNumber = 0;
-	std::optional<FSceneViewProjectionData> Projection; // where the camera was
+	std::optional<FSceneViewProjectionData> Projection; // where the camera was, without its jitter
+	FVector2D Jitter = FVector2D(0.0, 0.0);             // of that projection, in clip space
+	float PreExposure = 1.0f;                           // that the frame's colours were stored with
 	std::map<std::string, FHistoryTexture> Textures;
 	std::map<std::string, TRefCountPtr<FRDGPooledBuffer>> Buffers;
 	bool bHasCaches = false; // the frame left something in a cache

@@ -75,6 +75,7 @@ public:
 		{
 			Points.Skip(EPoint::TranslucencyAfterDOF, FindEffect(Effects, EEffect::Translucency)->Reason);
 		}
+		AddEffects(EChainPlace::TemporalAA);
 		RunSSRInput();
 		AddEffects(EChainPlace::MotionBlur);
 		SceneColor = Points.Run(EPoint::MotionBlur, SceneColor);
@@ -316,7 +317,7 @@ private:
 			}
 			const FRDGEffectScope Scope(GraphBuilder, *Decision->Effect->Name);
 			SceneColor = (*Decision->Effect->AddPasses)({GraphBuilder, View, *Decision, SceneColor, Inputs.LightColor,
-				OverrideOutput, [this] { return GetSceneTextures(); }, Outputs.Kept});
+				OverrideOutput, [this] { return GetSceneTextures(); }, Outputs.Kept, GetKnownExposureScale()});
 		}
 	}
 
@@ -358,6 +359,13 @@ private:
 		const FEffectDecision* const Effect = FindEffect(Effects, Id);
 		const bool bSameSize = SceneColor.ViewRect.Size() == View.ViewRect.Size();
 		return Effect != nullptr && bSameSize ? Effect->Region : std::nullopt;
+	}
+
+	/** The scale that is known before this frame is metered. */
+	float GetKnownExposureScale() const
+	{
+		const float Last = Inputs.bAutoExposure ? View.GetLastEyeAdaptationExposure() : Inputs.ExposureScale;
+		return Last > 0.0f && FMath::IsFinite(Last) ? Last : 1.0f;
 	}
 
 	/** Those of the inputs, or made when first asked for. */

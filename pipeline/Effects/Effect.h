@@ -142,6 +142,7 @@ enum class EChainPlace : uint8
 	BeforeTranslucency,
 	Translucency, // separate translucency comes into the picture
 	AfterTranslucency,
+	TemporalAA, // before what next frame's reflections see
 	MotionBlur,
 	BeforeBloom, // the last that sees the scene alone, linear
 	Exposure,
@@ -179,6 +180,8 @@ struct FEffectPassInputs
 	std::function<TRDGUniformBufferRef<FSceneTextureUniformParameters>()> GetSceneTextures;
 	/** Takes the textures that the effect can be measured on. */
 	FKeptTextures& Kept;
+	/** What the display multiplies the picture by: the fixed scale, or the last frame's metered one; 1 on the first. */
+	float ExposureScale = 1.0f;
 
 	/** The part of the view where the effect has something to do, counted from the view's corner. Not set: anywhere, or
 	 * the picture no longer has the view's size. */

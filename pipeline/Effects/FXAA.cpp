@@ -2,6 +2,7 @@
 // is drydock's.
 #include "Effects/Effect.h"
 #include "HAL/IConsoleManager.h"
+#include "SceneView.h"
 #include "Screen/PostProcessAA.h"
 
 namespace Drydock
@@ -11,19 +12,22 @@ namespace
 {
 
 TAutoConsoleVariable<int32> CVarAntiAliasingMethod(TEXT("r.AntiAliasingMethod"), 0,
-	TEXT("0: off (default). 1: FXAA. 2 TAA, 3 MSAA, 4 TSR, 5 SMAA: not simulated."), ECVF_RenderThreadSafe);
+	TEXT("0: off (default). 1: FXAA. 2: TAA, over the frames of a sequence. 4: TSR, for which TAA stands in. 3 MSAA "
+		 "and 5 SMAA are not simulated."),
+	ECVF_RenderThreadSafe);
 
 FEffectDecision DecideFXAA(const FEffect&, const FEffectInputs& Inputs)
 {
 	const int32 Method = CVarAntiAliasingMethod.GetValueOnAnyThread();
 	const std::string Variable = "r.AntiAliasingMethod is " + std::to_string(Method);
 	FEffectDecision Decision;
-	Decision.bConfigured = Method != 0;
-	if (Method == 0)
+	const bool bTemporal = Method == AAM_TemporalAA || Method == AAM_TSR;
+	Decision.bConfigured = Method != AAM_None && !bTemporal;
+	if (Method == AAM_None || bTemporal)
 	{
 		Decision.Reason = Variable;
 	}
-	else if (Method != 1)
+	else if (Method != AAM_FXAA)
 	{
 		Decision.Reason = Variable + ", which is not simulated";
 	}

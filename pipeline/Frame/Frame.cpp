@@ -238,7 +238,7 @@ private:
 		View.Family = &Family;
 		View.State = Target.State.get();
 		View.ViewState = Target.State.get();
-		View.bCameraCut = Target.State->IsFirstFrame();
+		View.bCameraCut = Target.State->IsFirstFrame() || Source.Lens.bCut;
 		Target.State->LastRenderTime = Family.Time.GetWorldTimeSeconds();
 		Target.State->LastRenderTimeDelta = Family.Time.GetDeltaWorldTimeSeconds();
 		View.ViewRect = GetSceneRect(Source);
@@ -261,7 +261,7 @@ private:
 		{
 			Projection.SetViewRectangle(View.ViewRect);
 		}
-		SetUpCamera(Projection, View);
+		SetUpCamera(Projection, MakeClipJitter(Source.Lens, Source.Rect), View);
 		FViewHistory& Next = Target.State->Next;
 		Next.bValid = true;
 		Next.FrameNumber = Inputs.FrameNumber;

@@ -10,22 +10,37 @@ namespace Drydock
 namespace
 {
 
-FViewMatrices MakeViewMatrices(const FSceneViewProjectionData& Projection)
+FViewMatrices MakeViewMatrices(const FSceneViewProjectionData& Projection, FVector2D Jitter)
 {
 	FViewMatrices::FMinimalInitializer Initializer;
 	Initializer.ViewRotationMatrix = Projection.ViewRotationMatrix;
 	Initializer.ProjectionMatrix = Projection.ProjectionMatrix;
 	Initializer.ViewOrigin = Projection.ViewOrigin;
 	Initializer.ConstrainedViewRect = Projection.GetViewRect();
-	return FViewMatrices(Initializer);
+	FViewMatrices Matrices(Initializer);
+	if (Jitter != FVector2D(0.0, 0.0))
+	{
+		Matrices.HackAddTemporalAAProjectionJitter(Jitter);
+	}
+	return Matrices;
+}
+
+/** The projection as pictures are drawn by it. */
+FSceneViewProjectionData MakeJittered(const FSceneViewProjectionData& Projection, const FViewMatrices& Matrices)
+{
+	FSceneViewProjectionData Jittered = Projection;
+	Jittered.ProjectionMatrix = Matrices.GetProjectionMatrix();
+	return Jittered;
 }
 
 } // namespace
 
-void SetUpCamera(const FSceneViewProjectionData& Projection, FViewInfo& View)
+void SetUpCamera(const FSceneViewProjectionData& Projection, FVector2D Jitter, FViewInfo& View)
 {
 	const FMatrix& ToView = Projection.ViewRotationMatrix;
-	View.ViewMatrices = MakeViewMatrices(Projection);
+	View.ViewMatrices = MakeViewMatrices(Projection, Jitter);
+	View.TemporalJitterPixels =
+		FVector2D(0.5 * Jitter.X * View.ViewRect.Width(), -0.5 * Jitter.Y * View.ViewRect.Height());
 	View.ViewLocation = Projection.ViewOrigin;
 	View.ViewRotation =
 		FQuat(FMatrix(ToView.GetColumn(2), ToView.GetColumn(0), ToView.GetColumn(1), FVector())).Rotator();
@@ -34,14 +49,20 @@ void SetUpCamera(const FSceneViewProjectionData& Projection, FViewInfo& View)
 	View.PrevViewInfo.ViewRect = View.ViewRect;
 	View.PrevViewInfo.ViewMatrices = View.ViewMatrices;
 	View.PrevViewInfo.SceneColorPreExposure = View.PreExposure;
-	View.ViewState->Next.Projection = Projection;
-	SetCameraParameters(Projection, View.UniformParameters);
-	if (const std::optional<FSceneViewProjectionData>& Last = View.ViewState->GetLast().Projection)
+	FViewHistory& Next = View.ViewState->Next;
+	Next.Projection = Projection;
+	Next.Jitter = Jitter;
+	Next.PreExposure = View.PreExposure;
+	SetCameraParameters(MakeJittered(Projection, View.ViewMatrices), View.UniformParameters);
+	const FViewHistory& Last = View.ViewState->GetLast();
+	if (Last.Projection && !View.bCameraCut)
 	{
-		View.PrevViewInfo.ViewRect = Last->GetViewRect();
-		View.PrevViewInfo.ViewMatrices = MakeViewMatrices(*Last);
-		View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last);
-		SetPrevCameraParameters(*Last, View.UniformParameters);
+		View.PrevViewInfo.ViewRect = Last.Projection->GetViewRect();
+		View.PrevViewInfo.ViewMatrices = MakeViewMatrices(*Last.Projection, Last.Jitter);
+		View.PrevViewInfo.SceneColorPreExposure = Last.PreExposure;
+		// Without both frames' jitter, as velocities are.
+		View.UniformParameters.ClipToPrevClip = MakeClipToPrevClip(Projection, *Last.Projection);
+		SetPrevCameraParameters(MakeJittered(*Last.Projection, View.PrevViewInfo.ViewMatrices), View.UniformParameters);
 	}
 }
 
@@ -49,21 +70,16 @@ void UpdateCamera(FViewInfo& View)
 {
 	FSceneViewProjectionData Projection = *View.ViewState->Next.Projection;
 	const FViewMatrices Changed = View.ViewMatrices;
-	if (Changed == MakeViewMatrices(Projection))
+	if (Changed == MakeViewMatrices(Projection, View.ViewState->Next.Jitter))
 	{
 		return;
 	}
+	const FVector2D Jitter = Changed.GetTemporalAAJitter();
 	Projection.ViewOrigin = Changed.GetViewOrigin();
 	Projection.ViewRotationMatrix = Changed.GetTranslatedViewMatrix();
-	Projection.ProjectionMatrix = Changed.GetProjectionMatrix();
-	SetUpCamera(Projection, View);
-	// The jitter is part of the projection, and known by itself too.
-	const FVector2D Jitter = Changed.GetTemporalAAJitter();
+	Projection.ProjectionMatrix = Changed.GetProjectionNoAAMatrix();
+	SetUpCamera(Projection, Jitter, View);
 	View.ViewMatrices = Changed;
-	View.UniformParameters.TemporalAAJitter =
-		FVector4f(static_cast<float>(Jitter.X), static_cast<float>(Jitter.Y), 0.0f, 0.0f);
-	View.TemporalJitterPixels =
-		FVector2D(0.5 * Jitter.X * View.ViewRect.Width(), -0.5 * Jitter.Y * View.ViewRect.Height());
 }
 
 } // namespace Drydock

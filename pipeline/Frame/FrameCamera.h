@@ -6,9 +6,10 @@
 namespace Drydock
 {
 
-/** The camera of Projection, and of the frame before from the view's state, which then keeps this one for the next.
- * ViewRect, PreExposure and ViewState of the view are set. */
-void SetUpCamera(const FSceneViewProjectionData& Projection, FViewInfo& View);
+/** The camera of Projection with a jitter in clip space, and that of the frame before from the view's state, which then
+ * keeps this one for the next. A camera cut has no frame before. ViewRect, PreExposure, ViewState and bCameraCut of the
+ * view are set. */
+void SetUpCamera(const FSceneViewProjectionData& Projection, FVector2D Jitter, FViewInfo& View);
 
 /** Does so again if code has changed View.ViewMatrices since, by a jitter for one. Call it before the uniform buffer is
  * made. */

@@ -24,6 +24,7 @@ DRYDOCK_VERB("settings export", LookUp, AddSettingsExportOptions, "Print the vol
 DRYDOCK_VERB("settings cube", LookUp, AddSettingsCubeOptions, "Write the grade of a config as a .cube table")
 DRYDOCK_VERB("settings plan", LookUp, AddSettingsPlanOptions, "List every place that an engine patch for settings changes")
 DRYDOCK_VERB("import", Run, AddImportOptions, "Make a scene and a config from a frame of Unreal or Blender")
+DRYDOCK_VERB("scene", Run, AddSceneOptions, "Write a jittered sequence whose exact truth is known")
 DRYDOCK_VERB("new", Patch, AddNewOptions, "Make a new patch to start from: sources, shader, config, test")
 DRYDOCK_VERB("overlay", Patch, AddVerbsBelow, "Edit files of the engine in place of drydock's: new, diff")
 DRYDOCK_VERB("overlay new", Patch, AddOverlayNewOptions, "Make an overlay: the files of one pass, to be edited, and a config")

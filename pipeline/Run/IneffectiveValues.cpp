@@ -4,6 +4,8 @@
 #include "Bloom/PostProcessFFTBloom.h"
 #include "Config/ConfigReader.h"
 #include "CurveKeys.h"
+#include "HAL/IConsoleManager.h"
+#include "SceneView.h"
 #include "Screen/TextureAssets.h"
 #include "SettingObjects.h"
 #include "Tonemap/TonemapLens.h"
@@ -63,7 +65,12 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 	FConfigMessages Messages(Config.File, Diagnostics);
 	const FConfigPlace Nowhere;
 	const int32 AntiAliasing = IConsoleManager::Get().FindConsoleVariable(TEXT("r.AntiAliasingMethod"))->GetInt();
-	if (AntiAliasing < 0 || AntiAliasing > 1)
+	if (AntiAliasing == AAM_TSR)
+	{
+		Messages.Warn(WarnIneffectiveValue, Nowhere,
+			"r.AntiAliasingMethod 4 (TSR) is not simulated: temporal antialiasing stands in for it");
+	}
+	else if (AntiAliasing < AAM_None || AntiAliasing > AAM_TemporalAA)
 	{
 		Messages.Warn(WarnIneffectiveValue, Nowhere,
 			"r.AntiAliasingMethod " + std::to_string(AntiAliasing) + " is not simulated: no antialiasing runs");
@@ -83,6 +90,29 @@ void WarnOfIneffectiveValues(const FConfig& Config, const FViewSettings& View, s
 	}
 	WarnOfMissingPictures(View.Settings, Messages);
 	WarnOfMissingKeys(View, Messages);
+}
+
+void WarnOfIdleTemporalAA(const FConfig& Config, const std::optional<FSceneCamera>& Camera,
+	const std::vector<FEffectDecision>& Effects, std::vector<FDiagnostic>& Diagnostics)
+{
+	if (!IsEffectActive(Effects, EEffect::TemporalAA))
+	{
+		return;
+	}
+	FConfigMessages Messages(Config.File, Diagnostics);
+	if (!Config.Scene.Frame)
+	{
+		Messages.Warn(WarnIneffectiveValue, Config.Scene.File.Place,
+			"TemporalAA averages frames, and this scene is one frame: it is only filtered. Name a sequence, such as "
+			"NAME.####.exr with \"frames\"; drydock scene writes one");
+	}
+	else if (!Camera || !Camera->Jitter)
+	{
+		Messages.Warn(WarnIneffectiveValue, Config.Scene.File.Place,
+			"TemporalAA averages jittered frames, and the header of this scene has no jitter: edges gain nothing. "
+			"Write "
+			"\"jitter_px\": [X, Y] into drydock:camera_json; drydock scene writes frames that have it");
+	}
 }
 
 } // namespace Drydock

@@ -7,6 +7,7 @@
 #include "Frame/Frame.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Run/FinalSettings.h"
+#include "Run/IneffectiveValues.h"
 #include "Run/OverlayUse.h"
 #include "Run/PreExposure.h"
 #include "Run/RunDump.h"
@@ -315,6 +316,7 @@ FRendered RenderScene(const FRunOptions& Options, const FRunSetup& Setup, const 
 	FRunResult& Result = Rendered.Result;
 	Scene.UseKeptTextures(MakePackContext(Setup.Config, Result.ViewRect));
 	RunGraph(Options, Setup, Scene, Before, Result);
+	WarnOfIdleTemporalAA(Setup.Config, Scene.GetCamera(), Result.Effects, Result.Diagnostics);
 	Result.Channels = Scene.GetChannels();
 	for (const FRDGCompiledResource& Resource : Result.Graph.Resources)
 	{

@@ -62,6 +62,9 @@ std::optional<FSceneCamera> ReadSceneCamera(const std::string& Json)
 	Camera.HorizontalFov = FindNumber(Root, "hfov_deg").value_or(Camera.HorizontalFov);
 	Camera.FocalLength = FindNumber(Root, "focal_length_px");
 	Camera.PrincipalPoint = FindPoint(Root, "principal_point_px");
+	Camera.Jitter = FindPoint(Root, "jitter_px");
+	const FJsonValue* const Cut = Root.Find("camera_cut");
+	Camera.bCut = Cut != nullptr && Cut->Type == EJsonType::Bool && Cut->Bool;
 	if (const FJsonValue* Rotator = Root.Find("rotator_ue_deg"))
 	{
 		Camera.Pitch = FindNumber(*Rotator, "pitch").value_or(0.0);
@@ -78,6 +81,12 @@ std::optional<double> ReadSceneDeltaTime(const std::string& Json)
 	const FJsonValue Root = ParseJson(Json, "drydock:camera_json", Ignored, bSyntaxError);
 	const std::optional<double> Seconds = bSyntaxError ? std::nullopt : FindNumber(Root, "delta_time_s");
 	return Seconds && *Seconds > 0.0 && std::isfinite(*Seconds) ? Seconds : std::nullopt;
+}
+
+FVector2D MakeClipJitter(const FSceneCamera& Camera, const FIntRect& Rect)
+{
+	const FVector2D Jitter = Camera.Jitter.value_or(FVector2D(0.0, 0.0));
+	return FVector2D(2.0 * Jitter.X / Rect.Width(), -2.0 * Jitter.Y / Rect.Height());
 }
 
 FMatrix MakeProjection(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect)

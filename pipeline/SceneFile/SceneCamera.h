@@ -24,6 +24,10 @@ struct FSceneCamera
 	double HorizontalFov = 90.0;
 	std::optional<double> FocalLength;       // pixels of the picture; in place of HorizontalFov
 	std::optional<FVector2D> PrincipalPoint; // pixels of the picture; its centre by default
+	/** Pixels of the picture: how far right and down it is drawn of where it is without jitter; not set: the file's
+	 * header has none. */
+	std::optional<FVector2D> Jitter;
+	bool bCut = false; // nothing of the frame before is to be seen
 };
 
 /** Reads a drydock:camera_json text; empty when it is none. */
@@ -32,8 +36,11 @@ DRYDOCK_API std::optional<FSceneCamera> ReadSceneCamera(const std::string& Json)
 /** Seconds from one frame to the next, of such a text; empty when it has none that is above 0. */
 DRYDOCK_API std::optional<double> ReadSceneDeltaTime(const std::string& Json);
 
-/** View to clip space of a view that covers Rect (pixels of a picture of PictureExtent). Device depth is
- * SceneNearPlane / z: 1 at the near plane, 0 at infinity. */
+/** The camera's jitter in clip space, of a view that covers Rect. */
+DRYDOCK_API FVector2D MakeClipJitter(const FSceneCamera& Camera, const FIntRect& Rect);
+
+/** View to clip space, without jitter, of a view that covers Rect (pixels of a picture of PictureExtent). Device depth
+ * is SceneNearPlane / z: 1 at the near plane, 0 at infinity. */
 DRYDOCK_API FMatrix MakeProjection(const FSceneCamera& Camera, FIntPoint PictureExtent, const FIntRect& Rect);
 
 /** z, w of the transform by which shaders turn device depth into centimetres: 1 / (DeviceZ * z - w). Depth 0 gives 1e8

@@ -18,7 +18,7 @@ namespace Drydock
 namespace
 {
 
-constexpr char Magic[] = "drydock view state 1\n";
+constexpr char Magic[] = "drydock view state 2\n";
 
 /** Names of pooled resources are not copied by them. */
 const TCHAR* Intern(const std::string& Name)
@@ -287,6 +287,9 @@ std::string Pack(const std::vector<FViewHistory>& Views, bool bViewRectOnly)
 		{
 			WriteProjection(Writer, *View.Projection);
 		}
+		Writer.Add(View.Jitter.X);
+		Writer.Add(View.Jitter.Y);
+		Writer.Add(View.PreExposure);
 		Writer.Add(static_cast<uint32>(View.Textures.size()));
 		for (const auto& [Name, Texture] : View.Textures)
 		{
@@ -349,6 +352,9 @@ std::vector<FViewHistory> UnpackViewStates(const std::string& Bytes, const std::
 		{
 			View.Projection = ReadProjection(Reader);
 		}
+		Reader.Get(View.Jitter.X);
+		Reader.Get(View.Jitter.Y);
+		Reader.Get(View.PreExposure);
 		for (uint32 Count = Reader.CountOf(1); Count > 0; --Count)
 		{
 			const std::string Name = Reader.GetText();
