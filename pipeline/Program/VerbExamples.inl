@@ -54,6 +54,8 @@ DRYDOCK_EXAMPLE("import", "configs/scenes/two_boxes.exr --out out/boxes/s.exr --
 DRYDOCK_EXAMPLE("import", "configs/scenes/two_boxes.exr --out out/boxes/s.exr --fov 60")
 DRYDOCK_EXAMPLE("scene", "line --frames 4")
 DRYDOCK_EXAMPLE("scene", "point --size 64,36 --frames 8 --out out/scene/point")
+DRYDOCK_EXAMPLE("flicker", "out/scene/line/line.json --frames 1-4")
+DRYDOCK_EXAMPLE("flicker", "out/scene/line/line.json --against r.AntiAliasingMethod=0")
 DRYDOCK_EXAMPLE("overlay new", "MyOverlay --pass BloomSetup")
 DRYDOCK_EXAMPLE("overlay new", "MyCurve --pass Tonemap --dir overlays/MyCurve")
 DRYDOCK_EXAMPLE("overlay diff", "MyOverlay")

@@ -13,6 +13,7 @@ DRYDOCK_VERB("prove", Measure, AddProveOptions, "Check that threads, lanes, ... 
 DRYDOCK_VERB("hazards", Measure, AddHazardsOptions, "Test one pass with NaN, infinities and other extreme inputs")
 DRYDOCK_VERB("lint", Measure, AddLintOptions, "Report shader code that fails on D3D11, SM6, Vulkan, Metal, mobile")
 DRYDOCK_VERB("study", Measure, AddStudyOptions, "Measure the cost of accuracy: the variants of a config's study")
+DRYDOCK_VERB("flicker", Measure, AddFlickerOptions, "Measure how light jumps from frame to frame, by effect")
 DRYDOCK_VERB("diff", Measure, AddDiffOptions, "Compare two images, or two runs picture by picture")
 DRYDOCK_VERB("bless", Measure, AddBlessOptions, "Accept the pictures of a run as a baseline for diff")
 DRYDOCK_VERB("explain", Ask, AddExplainOptions, "List the effects and passes that run, and why others do not")

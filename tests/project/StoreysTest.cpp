@@ -29,10 +29,10 @@ const std::map<std::string, FSteps> GRooms = {
 	{"settings", {{"Table"}, {"Blend", "Text"}, {"Final"}}},
 	{"passes", {{"World"}, {"Scene"}, {"Screen"}, {"Blur"}, {"Exposure"}, {"Bloom"}, {"Tonemap"}, {"Lens"}, {"Toon"},
 				   {"Native"}, {"Overlay"}}},
-	{"pipeline", {{"Text"}, {"Picture"}, {"Scenes"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Patch"},
-					 {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
-					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards"}, {"Matrix", "Report"},
-					 {"Live"}, {"Program"}}},
+	{"pipeline", {{"Text"}, {"Picture"}, {"Scenes"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"},
+					 {"Extensions"}, {"Patch"}, {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
+					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards", "Flicker"},
+					 {"Matrix", "Report"}, {"Live"}, {"Program"}}},
 };
 
 /** The storey that a path from the root begins with. */
