@@ -3,6 +3,7 @@
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
 #include "Scenes/JitteredScenes.h"
+#include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/OutputFolder.h"
 
@@ -40,10 +41,7 @@ int WriteScene(const FSceneVerbOptions& Options)
 		const std::vector<double> Size = ParseNumbers("--size", Options.Size, 2, 2, "WIDTH,HEIGHT in pixels");
 		if (std::ranges::any_of(Size, [](double Side) { return !(Side >= 1.0 && Side <= Largest); }))
 		{
-			throw FError({.Code = ErrorBadArgument,
-							 .Message = fmt::format("expected 1 to {} pixels on each side", Largest),
-							 .Where = "--size"},
-				ExitUsage);
+			throw BadArgument(fmt::format("expected 1 to {} pixels on each side", Largest), "--size");
 		}
 		Scene.Size = FIntPoint(ToInteger<int>(Size[0]), ToInteger<int>(Size[1]));
 	}
