@@ -19,16 +19,6 @@ FVector2D Turn(FVector2D Point, double Angle)
 	return FVector2D(Point.X * Cos - Point.Y * Sin, Point.X * Sin + Point.Y * Cos);
 }
 
-FPolygon GetPlacedCorners(const FAnalyticShape& Shape)
-{
-	FPolygon Placed;
-	for (const FVector2D& Corner : Shape.Corners)
-	{
-		Placed.push_back(Turn(Corner, Shape.Pose.Angle) + Shape.Pose.Center);
-	}
-	return Placed;
-}
-
 /** Twice the area, above 0 where corners turn from x towards y. */
 double GetSignedDoubleArea(const FPolygon& Polygon)
 {
@@ -75,32 +65,42 @@ bool IsEmpty(const FPolygon& Polygon)
 	return Polygon.size() < 3 || std::abs(GetSignedDoubleArea(Polygon)) < 1e-15;
 }
 
-/** Corners in the order in which their inner side counts above 0. */
-FPolygon GetTurnedCorners(const FAnalyticShape& Shape)
-{
-	FPolygon Corners = GetPlacedCorners(Shape);
-	if (GetSignedDoubleArea(Corners) < 0.0)
-	{
-		std::reverse(Corners.begin(), Corners.end());
-	}
-	return Corners;
-}
-
 } // namespace
 
-const FAnalyticShape& FindShape(const FAnalyticFrame& Frame, FVector2D Point)
+FAnalyticPicture::FAnalyticPicture(const FAnalyticFrame& InFrame)
+	: Frame(InFrame)
 {
 	for (const FAnalyticShape& Shape : Frame.Shapes)
 	{
-		const FPolygon Corners = GetTurnedCorners(Shape);
-		bool bInside = true;
-		for (size_t Index = 0; Index < Corners.size() && bInside; ++Index)
+		FPlaced& Own = Placed.emplace_back();
+		Own.Min = Own.Max = Turn(Shape.Corners.front(), Shape.Pose.Angle) + Shape.Pose.Center;
+		for (const FVector2D& Corner : Shape.Corners)
 		{
-			bInside = GetSide(Corners[Index], Corners[(Index + 1) % Corners.size()], Point) >= 0.0;
+			const FVector2D Place = Turn(Corner, Shape.Pose.Angle) + Shape.Pose.Center;
+			Own.Corners.push_back(Place);
+			Own.Min = FVector2D(std::min(Own.Min.X, Place.X), std::min(Own.Min.Y, Place.Y));
+			Own.Max = FVector2D(std::max(Own.Max.X, Place.X), std::max(Own.Max.Y, Place.Y));
+		}
+		if (GetSignedDoubleArea(Own.Corners) < 0.0)
+		{
+			std::reverse(Own.Corners.begin(), Own.Corners.end());
+		}
+	}
+}
+
+const FAnalyticShape& FAnalyticPicture::FindShape(FVector2D Point) const
+{
+	for (size_t Index = 0; Index < Placed.size(); ++Index)
+	{
+		const FPlaced& Own = Placed[Index];
+		bool bInside = Point.X >= Own.Min.X && Point.X <= Own.Max.X && Point.Y >= Own.Min.Y && Point.Y <= Own.Max.Y;
+		for (size_t Edge = 0; Edge < Own.Corners.size() && bInside; ++Edge)
+		{
+			bInside = GetSide(Own.Corners[Edge], Own.Corners[(Edge + 1) % Own.Corners.size()], Point) >= 0.0;
 		}
 		if (bInside)
 		{
-			return Shape;
+			return Frame.Shapes[Index];
 		}
 	}
 	return Frame.Background;
@@ -113,7 +113,7 @@ FVector2D GetMovement(const FAnalyticShape& Shape, FVector2D Point)
 	return Point - Before;
 }
 
-FLinearColor ComputePixelMean(const FAnalyticFrame& Frame, int X, int Y)
+FLinearColor FAnalyticPicture::ComputeMean(int X, int Y) const
 {
 	const FVector2D Corner(X, Y);
 	std::vector<FPolygon> Open = {
@@ -126,9 +126,14 @@ FLinearColor ComputePixelMean(const FAnalyticFrame& Frame, int X, int Y)
 		Mean[1] += Area * static_cast<double>(Shape.Color.G);
 		Mean[2] += Area * static_cast<double>(Shape.Color.B);
 	};
-	for (const FAnalyticShape& Shape : Frame.Shapes)
+	for (size_t Shape = 0; Shape < Placed.size(); ++Shape)
 	{
-		const FPolygon Edges = GetTurnedCorners(Shape);
+		const FPlaced& Own = Placed[Shape];
+		if (Own.Min.X >= X + 1 || Own.Max.X <= X || Own.Min.Y >= Y + 1 || Own.Max.Y <= Y)
+		{
+			continue;
+		}
+		const FPolygon& Edges = Own.Corners;
 		std::vector<FPolygon> Left;
 		for (FPolygon& Piece : Open)
 		{
@@ -146,7 +151,7 @@ FLinearColor ComputePixelMean(const FAnalyticFrame& Frame, int X, int Y)
 			}
 			if (!IsEmpty(Piece))
 			{
-				AddArea(Shape, Piece);
+				AddArea(Frame.Shapes[Shape], Piece);
 			}
 		}
 		Open = std::move(Left);

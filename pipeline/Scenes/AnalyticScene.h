@@ -36,13 +36,33 @@ struct FAnalyticFrame
 	std::vector<FAnalyticShape> Shapes; // from the front to the back
 };
 
-/** What a point of the picture shows: the first shape that holds it, or the background. */
-DRYDOCK_API const FAnalyticShape& FindShape(const FAnalyticFrame& Frame, FVector2D Point);
-
 /** Pixels from where the shape's point at Point was in the frame before. */
 DRYDOCK_API FVector2D GetMovement(const FAnalyticShape& Shape, FVector2D Point);
 
-/** The mean colour of the pixel whose upper left corner is (X, Y): each shape by the area that is seen of it. */
-DRYDOCK_API FLinearColor ComputePixelMean(const FAnalyticFrame& Frame, int X, int Y);
+/** A frame whose shapes are placed: made once, and asked for every pixel. */
+class DRYDOCK_API FAnalyticPicture
+{
+public:
+	/** The frame must outlive it. */
+	explicit FAnalyticPicture(const FAnalyticFrame& InFrame);
+
+	/** What a point of the picture shows: the first shape that holds it, or the background. */
+	const FAnalyticShape& FindShape(FVector2D Point) const;
+
+	/** The mean colour of the pixel whose upper left corner is (X, Y): each shape by the area that is seen of it. */
+	FLinearColor ComputeMean(int X, int Y) const;
+
+private:
+	/** Corners in the picture, in the order in which their inner side counts above 0; and the box around them. */
+	struct FPlaced
+	{
+		std::vector<FVector2D> Corners;
+		FVector2D Min;
+		FVector2D Max;
+	};
+
+	const FAnalyticFrame& Frame;
+	std::vector<FPlaced> Placed; // by shape
+};
 
 } // namespace Drydock

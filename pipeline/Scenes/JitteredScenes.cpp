@@ -181,14 +181,15 @@ FTexel MakeTexel(const FLinearColor& Color, const FAnalyticShape& Shape, FVector
 /** bTruth: the exact mean of each pixel; else the sample that a camera with this jitter takes. */
 FImage MakeImage(const FAnalyticFrame& Frame, FVector2D Jitter, bool bTruth)
 {
+	const FAnalyticPicture Picture(Frame);
 	FImage Image{Frame.Size.X, Frame.Size.Y, static_cast<int>(GChannels.size()), {}};
 	for (int Y = 0; Y < Frame.Size.Y; ++Y)
 	{
 		for (int X = 0; X < Frame.Size.X; ++X)
 		{
 			const FVector2D Point = FVector2D(X + 0.5, Y + 0.5) - Jitter;
-			const FAnalyticShape& Shape = FindShape(Frame, Point);
-			const FTexel Texel = MakeTexel(bTruth ? ComputePixelMean(Frame, X, Y) : Shape.Color, Shape,
+			const FAnalyticShape& Shape = Picture.FindShape(Point);
+			const FTexel Texel = MakeTexel(bTruth ? Picture.ComputeMean(X, Y) : Shape.Color, Shape,
 				&Shape == &Frame.Background ? FVector2D(0.0, 0.0) : GetMovement(Shape, Point));
 			Image.Values.insert(Image.Values.end(), Texel.begin(), Texel.end());
 		}

@@ -12,13 +12,13 @@ namespace
 {
 
 /** The mean of Side x Side samples on a grid. */
-double SampleMean(const FAnalyticFrame& Frame, int X, int Y, int Side)
+double SampleMean(const FAnalyticPicture& Picture, int X, int Y, int Side)
 {
 	double Sum = 0.0;
 	for (int Index = 0; Index < Side * Side; ++Index)
 	{
 		const FVector2D Point(X + (Index % Side + 0.5) / Side, Y + (Index / Side + 0.5) / Side);
-		Sum += static_cast<double>(FindShape(Frame, Point).Color.R);
+		Sum += static_cast<double>(Picture.FindShape(Point).Color.R);
 	}
 	return Sum / (Side * Side);
 }
@@ -30,6 +30,7 @@ TEST(AnalyticScene, APixelsMeanIsThatOf4096Samples)
 	for (const FJitteredScene& Scene : GetJitteredScenes())
 	{
 		const FAnalyticFrame Frame = Scene.MakeFrame(FIntPoint(48, 27), 5);
+		const FAnalyticPicture Picture(Frame);
 		double Brightest = static_cast<double>(Frame.Background.Color.R);
 		for (const FAnalyticShape& Shape : Frame.Shapes)
 		{
@@ -40,8 +41,8 @@ TEST(AnalyticScene, APixelsMeanIsThatOf4096Samples)
 			for (int X = 0; X < Frame.Size.X; X += 2)
 			{
 				// An edge misses a grid of 64 x 64 by less than its length in cells: a 40th of the pixel at most here.
-				EXPECT_NEAR(SampleMean(Frame, X, Y, 64), static_cast<double>(ComputePixelMean(Frame, X, Y).R),
-					0.025 * Brightest)
+				EXPECT_NEAR(
+					SampleMean(Picture, X, Y, 64), static_cast<double>(Picture.ComputeMean(X, Y).R), 0.025 * Brightest)
 					<< Scene.Name << " " << X << "," << Y;
 			}
 		}
@@ -62,7 +63,7 @@ TEST(AnalyticScene, AreasOfAKnownPixelAreExact)
 	Quarter.Pose.Center = FVector2D(2.0, 2.0);
 	Quarter.Color = FLinearColor(0.0f, 0.0f, 1.0f, 1.0f);
 	Frame.Shapes = {Quarter, Half};
-	const FLinearColor Mean = ComputePixelMean(Frame, 2, 2);
+	const FLinearColor Mean = FAnalyticPicture(Frame).ComputeMean(2, 2);
 	EXPECT_NEAR(0.25f, Mean.B, 1e-6f);
 	EXPECT_NEAR(0.375f, Mean.G, 1e-6f);
 	EXPECT_NEAR(0.375f, Mean.R, 1e-6f);

@@ -55,12 +55,13 @@ double GetRms(const FLight& A, const FLight& B)
 /** What a camera with this jitter sees in each pixel. */
 FLight Sample(const FAnalyticFrame& Frame, FVector2D Jitter)
 {
+	const FAnalyticPicture Picture(Frame);
 	FLight Light;
 	for (int Y = 0; Y < GSize.Y; ++Y)
 	{
 		for (int X = 0; X < GSize.X; ++X)
 		{
-			Light.push_back(static_cast<double>(FindShape(Frame, FVector2D(X + 0.5, Y + 0.5) - Jitter).Color.G));
+			Light.push_back(static_cast<double>(Picture.FindShape(FVector2D(X + 0.5, Y + 0.5) - Jitter).Color.G));
 		}
 	}
 	return Light;
@@ -68,12 +69,13 @@ FLight Sample(const FAnalyticFrame& Frame, FVector2D Jitter)
 
 FLight GetTruth(const FAnalyticFrame& Frame)
 {
+	const FAnalyticPicture Picture(Frame);
 	FLight Light;
 	for (int Y = 0; Y < GSize.Y; ++Y)
 	{
 		for (int X = 0; X < GSize.X; ++X)
 		{
-			Light.push_back(static_cast<double>(ComputePixelMean(Frame, X, Y).G));
+			Light.push_back(static_cast<double>(Picture.ComputeMean(X, Y).G));
 		}
 	}
 	return Light;
@@ -158,35 +160,41 @@ TEST(TemporalAARun, AStillSceneConvergesToTheTruthAsAPlainAverageDoes)
 TEST(TemporalAARun, WhatMovedAwayLeavesNoGhost)
 {
 	constexpr int NumFrames = 16;
-	constexpr float BarLight = 0.01f;
+	constexpr double BarLight = static_cast<double>(0.01f);
 	const FJitteredScene& Occluder = FindScene("occluder");
 	const FSceneRun Scene("occluder", NumFrames, 8, R"("cvars": {"r.AntiAliasingMethod": 2, "r.BloomQuality": 0})");
 	const FSceneRun Exact("occluder", NumFrames, 8, R"("cvars": {"r.BloomQuality": 0})", true);
 	std::vector<FLight> Truth;
 	Exact.Run(NumFrames, [&](int, const FRunResult& Result) { Truth.push_back(GetLight(Result.Final)); });
-	const auto LightAt = [&](int Frame, int X, int Y)
+	const auto SampleAll = [&](int Frame)
 	{
-		return FindShape(Occluder.MakeFrame(GSize, Frame), FVector2D(X + 0.5, Y + 0.5)).Color.G;
+		return Sample(Occluder.MakeFrame(GSize, Frame), FVector2D(0.0, 0.0));
 	};
 	double Worst = 0.0;
 	int NumPixels = 0;
 	const auto Compare = [&](int Number, const FRunResult& Result)
 	{
 		const FLight Final = GetLight(Result.Final);
+		const FLight Now = SampleAll(Number);
+		const FLight Before = SampleAll(Number - 4);
+		const auto GetIndex = [](int X, int Y)
+		{
+			return static_cast<size_t>(Y * GSize.X + X);
+		};
 		for (int Y = 2; Number >= 8 && Y < GSize.Y - 2; Y += 3)
 		{
 			for (int X = 2; X < GSize.X - 2; ++X)
 			{
 				// Covered four frames ago, and now one colour all around, so that no edge explains a difference.
-				const float Own = LightAt(Number, X, Y);
-				bool bPlain = Own != BarLight && LightAt(Number - 4, X, Y) == BarLight;
+				const double Own = Now[GetIndex(X, Y)];
+				bool bPlain = Own != BarLight && Before[GetIndex(X, Y)] == BarLight;
 				for (int Index = 0; Index < 25 && bPlain; ++Index)
 				{
-					bPlain = LightAt(Number, X + Index % 5 - 2, Y + Index / 5 - 2) == Own;
+					bPlain = Now[GetIndex(X + Index % 5 - 2, Y + Index / 5 - 2)] == Own;
 				}
 				if (bPlain)
 				{
-					const size_t Index = static_cast<size_t>(Y * GSize.X + X);
+					const size_t Index = GetIndex(X, Y);
 					Worst = std::max(Worst, 255.0 * std::abs(Final[Index] - Truth[static_cast<size_t>(Number)][Index]));
 					++NumPixels;
 				}
