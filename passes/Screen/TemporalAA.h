@@ -13,10 +13,10 @@
 //
 // Contract. Without history (first frame, camera cut, uncovered from outside of the view) the result is F. A history
 // that is not finite counts as none. A colour that is not finite is shown as it is in its own pixel, is left out of the
-// neighbours, and is not remembered: it leaves the picture with the frame that brought it. Negative light passes.
-// Velocities that are not finite count as "from outside", and those below 1/1024 pixel as none. The pre-exposure of a
-// frame does not reach the history. Nothing outside the rect is read. Any size from 1x1; a history of another size is
-// scaled. Alpha is this frame's.
+// neighbours, and is not remembered: it leaves the picture with the frame that brought it. Negative light passes. A
+// velocity of infinity counts as "from outside", NaN as not stored, and less than 1/1024 pixel as none. The
+// pre-exposure of a frame does not reach the history. Nothing outside the rect is read. Any size from 1x1; a history of
+// another size is scaled. Alpha is this frame's.
 #pragma once
 
 #include "CoreMinimal.h"

@@ -83,6 +83,10 @@ void SetConfigPlace(FJsonValue& Root, const std::string& Argument, const std::st
 		Given.String = Text;
 	}
 	Given.Pointer = Place;
+	Given.Line = Value->Line; // messages point at the value that it replaces
+	Given.Column = Value->Column;
+	Given.KeyLine = Value->KeyLine;
+	Given.KeyColumn = Value->KeyColumn;
 	*Value = std::move(Given);
 }
 
