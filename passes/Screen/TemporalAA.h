@@ -47,7 +47,7 @@ struct FTemporalAAInputs
 	float FilterSize = 1.0f;
 	/** A Catmull-Rom filter in place of the Gaussian: sharper, and not weighed by luma. r.TemporalAACatmullRom. */
 	bool bCatmullRom = false;
-	/** What the display multiplies scene light by: 1 where that is not known yet. Above 0 and finite. */
+	/** The factor from scene light to the display: 1 where that is not known yet. Above 0 and finite. */
 	float ExposureScale = 1.0f;
 
 	/** Makes the inputs from the console variables; values outside of their range count as its end. */
@@ -60,7 +60,7 @@ struct FTemporalAAOutputs
 	FScreenPassTexture History;    // for the next frame
 };
 
-/** The view's TemporalJitterPixels say how far SceneColor is moved right and down of the picture without jitter. */
+/** SceneColor lies right and down of the picture without jitter, by the view's TemporalJitterPixels. */
 DRYDOCK_API FTemporalAAOutputs AddTemporalAAPass(
 	FRDGBuilder& GraphBuilder, const FViewInfo& View, const FTemporalAAInputs& Inputs);
 

@@ -180,7 +180,7 @@ struct FEffectPassInputs
 	std::function<TRDGUniformBufferRef<FSceneTextureUniformParameters>()> GetSceneTextures;
 	/** Takes the textures that the effect can be measured on. */
 	FKeptTextures& Kept;
-	/** What the display multiplies the picture by: the fixed scale, or the last frame's metered one; 1 on the first. */
+	/** The factor from the picture to the display: the fixed scale, or the last frame's metered one; 1 on the first. */
 	float ExposureScale = 1.0f;
 
 	/** The part of the view where the effect has something to do, counted from the view's corner. Not set: anywhere, or

@@ -90,7 +90,7 @@ private:
 			const std::string& Effect = Writes.Pass.GetEffect();
 			if (Effect.empty() || Effect == "Tonemap" || Writes.Mips.empty())
 			{
-				return; // the picture itself says what the display's passes do
+				return; // the display's passes show in the picture itself
 			}
 			std::erase_if(Written, [&](const auto& Entry) { return Entry.first == Effect; });
 			FWrittenMip Mip = Writes.Mips.front();

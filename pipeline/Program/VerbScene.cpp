@@ -63,9 +63,7 @@ FVerbCall AddSceneOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSceneVerbOptions>();
 	Verb.Add("NAME", Options->Name,
-			"Sequence to write: a line that turns, a point that moves by 0.1 pixels a frame, an occluder that uncovers "
-			"a "
-			"checkerboard, a camera cut, or boxes that stand still")
+			"Sequence to write: a line that turns, a point that moves by 0.1 pixels a frame, ...")
 		.RequireOneOf(ToVector<std::string>(GetJitteredScenes(), &FJitteredScene::Name))
 		.Require();
 	Verb.Add("--out", Options->OutputFolder, "Folder to write to; out/scene/NAME by default").SetType("DIR");

@@ -137,7 +137,7 @@ FLinearColor FAnalyticPicture::ComputeMean(int X, int Y) const
 		std::vector<FPolygon> Left;
 		for (FPolygon& Piece : Open)
 		{
-			// What lies outside of an edge stays open; the rest goes on to the next edge.
+			// The part outside of an edge stays open; the rest goes on to the next edge.
 			for (size_t Index = 0; Index < Edges.size() && !IsEmpty(Piece); ++Index)
 			{
 				const FVector2D& A = Edges[Index];

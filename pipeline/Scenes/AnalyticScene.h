@@ -46,7 +46,7 @@ public:
 	/** The frame must outlive it. */
 	explicit FAnalyticPicture(const FAnalyticFrame& InFrame);
 
-	/** What a point of the picture shows: the first shape that holds it, or the background. */
+	/** The first shape that holds a point of the picture, or the background. */
 	const FAnalyticShape& FindShape(FVector2D Point) const;
 
 	/** The mean colour of the pixel whose upper left corner is (X, Y): each shape by the area that is seen of it. */

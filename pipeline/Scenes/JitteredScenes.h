@@ -1,5 +1,5 @@
 // Small sequences for effects over frames: analytic scenes as a renderer with a jittered camera draws them, one sample
-// a pixel, and beside them the exact mean of each pixel, which no renderer has.
+// a pixel. The exact mean of each pixel, which no renderer has, lies beside them.
 #pragma once
 
 #include "Scenes/AnalyticScene.h"

@@ -54,18 +54,18 @@ std::string MakeMembers(size_t Count, const std::string& Name, const std::string
 TEST(ConfigLimits, ThousandsOfUnknownNamesAreNotAllLookedUp)
 {
 	const std::vector<std::string> Configs = {
-		"{" + MakeMembers(100'000, "volumess", "1") + "}",
-		"{\"cvars\":{" + MakeMembers(100'000, "r.BloomQualty", "1") + "}}",
-		"{\"showFlags\":{" + MakeMembers(100'000, "EyeAdaptaton", "true") + "}}",
-		"{\"camera\":{\"Settings\":{" + MakeMembers(100'000, "BloomIntensty", "1") + "}}}",
-		"{\"camera\":{\"Settings\":{" + MakeMembers(100'000, "bOverride_BloomIntensty", "true") + "}}}",
+		"{" + MakeMembers(20'000, "volumess", "1") + "}",
+		"{\"cvars\":{" + MakeMembers(20'000, "r.BloomQualty", "1") + "}}",
+		"{\"showFlags\":{" + MakeMembers(20'000, "EyeAdaptaton", "true") + "}}",
+		"{\"camera\":{\"Settings\":{" + MakeMembers(20'000, "BloomIntensty", "1") + "}}}",
+		"{\"camera\":{\"Settings\":{" + MakeMembers(20'000, "bOverride_BloomIntensty", "true") + "}}}",
 	};
 	for (const std::string& Config : Configs)
 	{
 		const FOutcome Outcome = Read(Config);
 		EXPECT_LT(Outcome.TimesParsing, 200.0) << Config.substr(0, 60);
 		ASSERT_EQ(101u, Outcome.Diagnostics.size()) << Config.substr(0, 60);
-		EXPECT_EQ(0u, Outcome.Diagnostics.back().ToString().find("error DD1025: and 99900 more like it (DD"));
+		EXPECT_EQ(0u, Outcome.Diagnostics.back().ToString().find("error DD1025: and 19900 more like it (DD"));
 		EXPECT_NE(std::string::npos, Outcome.Diagnostics[0].Message.find("did you mean")) << Config.substr(0, 60);
 		EXPECT_NE(std::string::npos, Outcome.Diagnostics[99].Message.find("did you mean")) << Config.substr(0, 60);
 	}
