@@ -13,6 +13,11 @@ double FFlickerSignal::GetMean() const
 	return Light.empty() ? 0.0 : std::accumulate(Light.begin(), Light.end(), 0.0) / static_cast<double>(Light.size());
 }
 
+std::optional<double> FFlickerFigures::GetLastError() const
+{
+	return Frames.empty() ? std::nullopt : Frames.back().Error;
+}
+
 double FFlickerFigures::GetMeanJump() const
 {
 	double Sum = 0.0;
@@ -74,6 +79,11 @@ void FFlickerMeter::Add(int Frame, const FFlickerSignal& Signal, const FFlickerS
 				Row.WorstPlace =
 					FIntPoint(static_cast<int32>(Index) % Own.Width, static_cast<int32>(Index) / Own.Width);
 			}
+		}
+		if (Truth != nullptr)
+		{
+			Row.Error = std::sqrt(std::inner_product(Own.Light.begin(), Own.Light.end(), Own.Light.begin(), 0.0) /
+								  static_cast<double>(std::max<size_t>(Own.Light.size(), 1)));
 		}
 		const double Base = Row.MeanOfTruth.value_or(Row.Mean);
 		const double Jump = GetJump(Own.GetMean(), Last.GetMean(), Earlier.GetMean());

@@ -27,6 +27,7 @@ struct FFlickerFrame
 	int Frame = 0;
 	double Mean = 0.0;                 // of the light
 	std::optional<double> MeanOfTruth; // not set: without a truth
+	std::optional<double> Error;       // root mean square of the difference to the truth, in the unit of the light
 	double Jump = 0.0;                 // percent of the mean light
 	double WorstPixel = 0.0;           // in the unit of the light
 	FIntPoint WorstPlace = FIntPoint(0, 0);
@@ -38,6 +39,8 @@ struct FFlickerFigures
 	std::vector<FFlickerFrame> Frames; // those that have a figure
 	FImage Where;                      // one channel: the worst of each pixel
 
+	/** The error to the truth in the last frame; not set: without a truth, or without frames. */
+	DRYDOCK_API std::optional<double> GetLastError() const;
 	/** Mean of the jumps, percent; 0 without frames. */
 	DRYDOCK_API double GetMeanJump() const;
 	/** The frame of the largest jump; null without frames. */

@@ -60,8 +60,9 @@ std::string MakeFlickerTable(const FFlickerResult& Result, int Width)
 {
 	FTextTable Table;
 	Table.Columns = {{ETextColumn::Name}, {ETextColumn::Text}, {ETextColumn::Number}, {ETextColumn::Number},
-		{ETextColumn::Number}, {ETextColumn::Number}, {ETextColumn::Text, 1}};
-	Table.Rows.push_back({"light of", "run", "mean jump %", "worst %", "frame", "worst pixel", "at, frame"});
+		{ETextColumn::Number}, {ETextColumn::Number}, {ETextColumn::Text, 2}, {ETextColumn::Number, 1}};
+	Table.Rows.push_back(
+		{"light of", "run", "mean jump %", "worst %", "frame", "worst pixel", "at, frame", "error to truth"});
 	for (const std::string& Name : ListRows(Result))
 	{
 		for (const FFlickerVariant& Variant : Result.Variants)
@@ -76,7 +77,8 @@ std::string MakeFlickerTable(const FFlickerResult& Result, int Width)
 			Table.Rows.push_back({Name, Variant.Name, fmt::format("{:.3f}", Row->Figures.GetMeanJump()),
 				fmt::format("{:.3f}", Jump->Jump), std::to_string(Jump->Frame),
 				fmt::format("{:.3g}", Pixel->WorstPixel),
-				fmt::format("{},{} in {}", Pixel->WorstPlace.X, Pixel->WorstPlace.Y, Pixel->Frame)});
+				fmt::format("{},{} in {}", Pixel->WorstPlace.X, Pixel->WorstPlace.Y, Pixel->Frame),
+				Row->Figures.GetLastError() ? fmt::format("{:.3g}", *Row->Figures.GetLastError()) : "-"});
 		}
 	}
 	return Table.Format(Width) + MakeNotes(Result);
@@ -112,6 +114,7 @@ std::string MakeFlickerJson(const FFlickerResult& Result)
 							Writer.Member("frame", Frame.Frame);
 							Writer.Member("mean", Frame.Mean);
 							Writer.Member("meanOfTruth", Frame.MeanOfTruth);
+							Writer.Member("errorToTruth", Frame.Error);
 							Writer.Member("jumpPercent", Frame.Jump);
 							Writer.Member("worstPixel", Frame.WorstPixel);
 							Writer.Member("at", {Frame.WorstPlace.X, Frame.WorstPlace.Y});

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 using namespace Drydock;
@@ -93,6 +94,8 @@ TEST(Flicker, AKnownJumpIsWhatASumByHandSays)
 	EXPECT_DOUBLE_EQ(50.0, Against.Frames[2].Jump); // of frame 3: 0.5 of the truth's 1
 	EXPECT_DOUBLE_EQ(4.0, Against.Frames[2].WorstPixel);
 	EXPECT_EQ(FIntPoint(2, 1), Against.Frames[2].WorstPlace);
+	EXPECT_DOUBLE_EQ(0.0, *Against.Frames[0].Error);
+	EXPECT_DOUBLE_EQ(std::sqrt(16.0 / 8.0), *Against.GetLastError()); // one of eight is off by 4
 	EXPECT_DOUBLE_EQ(0.0, Against.Frames[3].Jump);
 	EXPECT_DOUBLE_EQ(10.0, Against.GetMeanJump());
 	EXPECT_EQ(3, Against.FindWorstJump()->Frame);
@@ -102,6 +105,7 @@ TEST(Flicker, AKnownJumpIsWhatASumByHandSays)
 	// Alone: half of the second difference, in frames 3 and 4.
 	const FFlickerFigures Alone = Measure(Light, {});
 	ASSERT_EQ(4u, Alone.Frames.size());
+	EXPECT_FALSE(Alone.GetLastError());
 	EXPECT_DOUBLE_EQ(2.0, Alone.Frames[1].WorstPixel);
 	EXPECT_NEAR(100.0 * 0.25 / 1.5, Alone.Frames[1].Jump, 1e-12);
 	EXPECT_NEAR(100.0 * 0.25 / 1.5, Alone.Frames[2].Jump, 1e-12);

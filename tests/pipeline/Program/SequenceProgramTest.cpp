@@ -23,7 +23,11 @@ const std::string Program = DRYDOCK_TEST_BINARY_DIR "/bin/drydock";
 class SequenceProgram : public testing::Test
 {
 protected:
-	SequenceProgram() { std::ofstream(Temporary.Path / "a.json") << MakeConfigText(Scenes); }
+	SequenceProgram()
+	{
+		std::ofstream(Temporary.Path / "a.json") << MakeConfigText(
+			Scenes, R"(, "view": {"exposure": "auto", "preExposure": "auto"}, "cvars": {"r.AntiAliasingMethod": 2})");
+	}
 
 	/** `drydock run a.json --frames FRAMES --out OUT` in the test's folder; its output goes to a file. */
 	pid_t Start(const std::string& Frames, const std::string& Out, const std::string& Config = "a.json") const
