@@ -48,7 +48,7 @@ public:
 		SHADER_PARAMETER(FIntPoint, HistorySize)
 		SHADER_PARAMETER(FVector2f, HistoryScale)
 		SHADER_PARAMETER(float, CurrentFrameWeight)
-		SHADER_PARAMETER(float, ExposureScale)
+		SHADER_PARAMETER(float, LumaScale)
 		SHADER_PARAMETER(int32, bHistory)
 		SHADER_PARAMETER(int32, bWeighByLuma)
 		RENDER_TARGET_BINDING_SLOTS()
@@ -143,7 +143,7 @@ FTemporalAAOutputs AddTemporalAAPass(FRDGBuilder& GraphBuilder, const FViewInfo&
 	Parameters->HistoryScale =
 		FVector2f(static_cast<float>(HistorySize.X) / Size.X, static_cast<float>(HistorySize.Y) / Size.Y);
 	Parameters->CurrentFrameWeight = Inputs.CurrentFrameWeight;
-	Parameters->ExposureScale = Inputs.ExposureScale;
+	Parameters->LumaScale = Inputs.ExposureScale / View.PreExposure;
 	Parameters->bHistory = bHistory ? 1 : 0;
 	Parameters->bWeighByLuma = Inputs.bCatmullRom ? 0 : 1;
 	Parameters->RenderTargets[0] = Output.GetRenderTargetBinding();

@@ -7,7 +7,7 @@
 //   B = the range of the 3x3, averaged with that of the middle cross
 //   H = the history at the place where the surface in front of the 3x3's diagonal was (Catmull-Rom), moved into B
 //   result = ((1 - a) h(H) H + a h(F) F) / ((1 - a) h(H) + a h(F)),  a = max(1 / (n + 1), CurrentFrameWeight)
-// h(C) = 1 / (4 + 4 max(luma, 0) ExposureScale), so that a bright pixel weighs as on a display; n is the number of
+// h(C) = 1 / (1 + max(luma, 0) ExposureScale), so that a bright pixel weighs as on a display; n is the number of
 // frames in the history. A view that stands still gets the mean of its frames, weighed by h, until n reaches
 // 1 / CurrentFrameWeight.
 //

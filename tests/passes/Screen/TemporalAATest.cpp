@@ -203,7 +203,7 @@ private:
 			   (1.0 / double(Run.PreExposure));
 	}
 
-	double GetLumaWeight(double Luma) const { return 1 / (4 + 4 * std::max(0.0, Luma * double(Run.ExposureScale))); }
+	double GetLumaWeight(double Luma) const { return 1 / (1 + std::max(0.0, Luma * double(Run.ExposureScale))); }
 
 	/** Not normalised: the means divide by their sum. */
 	double GetFilterWeight(int DX, int DY) const
@@ -386,7 +386,7 @@ TEST(TemporalAA, AStillPictureConvergesToTheWeighedMeanOfItsFrames)
 	for (int Frame = 0; Frame < NumFrames; ++Frame)
 	{
 		const FImage Color = FImage::Make(9, 9, [&](int X, int Y) { return Grey(Value(X, Y, Frame)); });
-		const double Own = Value(4, 4, Frame), Weight = 1 / (4 + 4 * Own);
+		const double Own = Value(4, 4, Frame), Weight = 1 / (1 + Own);
 		Sum += Own * Weight;
 		Weights += Weight;
 		History = Run.Run(Color, History).History;
