@@ -108,7 +108,7 @@ void RunDOFTileMax(const FNativeKernelArgs& Args, const FKernelTile& Tile)
 
 } // namespace
 
-REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "4f13deb0d65e64a6")
+REGISTER_NATIVE_KERNEL(FMotionBlurVelocityTileMaxPS, &RunVelocityTileMax, "c8598735be83e15d")
 REGISTER_NATIVE_KERNEL(FDOFTileMaxPS, &RunDOFTileMax, "6fbee6e2d05599ce")
 
 } // namespace Drydock
