@@ -1,9 +1,11 @@
 // What frames of 1920x1080 cost, pass by pass, in units of a plain copy of their scene colour (RGBA16F, one thread)
 // made in the same process: default bloom and tonemap on all threads, and configs/frame_full.json, which has everything
-// on, on one. Frames and copies alternate; medians of 7. Prints tables in Markdown.
+// on, on one; then temporal antialiasing with a history, on all. Frames and copies alternate; medians of 7. Prints
+// tables in Markdown.
 //
 //     bench_frame [SCENE.exr]
 #include "Run/Run.h"
+#include "Scenes/JitteredScenes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -100,6 +102,47 @@ void PrintFollowing(Drydock::FRunOptions Options)
 		Without, With, 100.0 * (With / Without - 1.0), NumRounds);
 }
 
+/** The pass of temporal antialiasing in the second frame of a turning line. */
+void PrintTemporalAA()
+{
+	namespace Files = std::filesystem;
+	const Files::path Folder = Files::temp_directory_path() / "drydock_bench_frame";
+	Files::create_directories(Folder);
+	Drydock::FJitteredSceneOptions Scene;
+	Scene.Scene = &Drydock::GetJitteredScenes().front();
+	Scene.Size = FIntPoint(1920, 1080);
+	Scene.NumFrames = 2;
+	Drydock::WriteJitteredScene(Scene, Folder.string());
+	Drydock::FRunOptions Options;
+	Options.ConfigFile = (Folder / "line.json").string();
+	Options.Frame = 1;
+	const std::vector<unsigned char> Source(size_t(1920) * 1080 * 8, 1);
+	std::vector<unsigned char> Dest(Source.size(), 2);
+	std::vector<double> PassMs;
+	std::vector<double> CopyMs;
+	{
+		Drydock::FRunSession Session(Options);
+		const std::vector<Drydock::FViewHistory> Last = Session.Run(1, {}).ViewStates;
+		TimeCopy(Source, Dest);
+		for (int Repetition = 0; Repetition <= GRepetitions; ++Repetition)
+		{
+			const Drydock::FRunResult Result = Session.Run(2, Last);
+			for (const Drydock::FRunPass& Pass : Result.Passes)
+			{
+				const std::string& Effect = Result.Graph.Passes[static_cast<size_t>(Pass.Index)].Effect;
+				if (Repetition > 0 && Effect == "TemporalAA") // the first is a warm-up
+				{
+					PassMs.push_back(Pass.Milliseconds);
+				}
+			}
+			CopyMs.push_back(TimeCopy(Source, Dest));
+		}
+	}
+	Files::remove_all(Folder);
+	std::printf("\ntemporal antialiasing, 1920x1080, all threads: %.3f ms, %.2f copies (medians of %d)\n",
+		Median(PassMs), Median(PassMs) / Median(CopyMs), GRepetitions);
+}
+
 } // namespace
 
 int main(int ArgumentCount, char** Arguments)
@@ -115,5 +158,6 @@ int main(int ArgumentCount, char** Arguments)
 	Options.Threads = 1;
 	PrintFrame("frame_full", Options);
 	PrintFollowing(Options);
+	PrintTemporalAA();
 	return 0;
 }
