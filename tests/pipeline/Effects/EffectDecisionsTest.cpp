@@ -194,9 +194,29 @@ TEST(EffectDecisions, ToonBloomAsPrintedIsLostInCompute)
 TEST(EffectDecisions, AntiAliasingFollowsItsVariable)
 {
 	EXPECT_EQ("r.AntiAliasingMethod is 0", Decision("{}", "FXAA").Reason);
+	EXPECT_EQ("r.AntiAliasingMethod is 0", Decision("{}", "TemporalAA").Reason);
+	{
+		const FScopedConsoleVariable Method(TEXT("r.AntiAliasingMethod"), 5);
+		EXPECT_EQ("r.AntiAliasingMethod is 5, which is not simulated", Decision("{}", "FXAA").Reason);
+		EXPECT_TRUE(Decision("{}", "FXAA").bConfigured);
+		EXPECT_FALSE(Decision("{}", "TemporalAA").bConfigured);
+	}
+	{
+		const FScopedConsoleVariable Method(TEXT("r.AntiAliasingMethod"), 2);
+		EXPECT_EQ("r.AntiAliasingMethod is 2", Decision("{}", "FXAA").Reason);
+		EXPECT_FALSE(Decision("{}", "FXAA").bConfigured);
+		EXPECT_EQ(
+			"r.AntiAliasingMethod is 2, r.TemporalAACurrentFrameWeight 0.04", Decision("{}", "TemporalAA").Reason);
+		EXPECT_TRUE(Decision("{}", "TemporalAA").bActive);
+		EXPECT_EQ(
+			"ShowFlag.AntiAliasing is off", Decision(R"({"showFlags": {"AntiAliasing": false}})", "TemporalAA").Reason);
+		EXPECT_EQ(
+			"ShowFlag.TemporalAA is off", Decision(R"({"showFlags": {"TemporalAA": false}})", "TemporalAA").Reason);
+	}
 	const FScopedConsoleVariable Method(TEXT("r.AntiAliasingMethod"), 4);
-	EXPECT_EQ("r.AntiAliasingMethod is 4, which is not simulated", Decision("{}", "FXAA").Reason);
-	EXPECT_TRUE(Decision("{}", "FXAA").bConfigured);
+	EXPECT_EQ("r.AntiAliasingMethod is 4 (TSR), for which temporal antialiasing stands in, "
+			  "r.TemporalAACurrentFrameWeight 0.04",
+		Decision("{}", "TemporalAA").Reason);
 }
 
 TEST(EffectDecisions, FxaaRunsWhereItIsChosenAndNotSwitchedOff)
