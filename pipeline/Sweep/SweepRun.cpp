@@ -10,6 +10,7 @@
 #include "SceneFile/SceneCache.h"
 #include "Study/StudyReport.h"
 #include "Study/StudyRun.h"
+#include "Text/AsideFile.h"
 #include "Text/Fingerprint.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
@@ -291,6 +292,34 @@ FSweepTime FSweepRunner::Run(const FSweepTask& Task, const Files::path& Folder, 
 	Time.Threads = Threads.value_or(0);
 	Time.Host = GetHostName();
 	return Time;
+}
+
+FSweepCost MeasureSweep(const FSweepPlan& Plan, const FSweepFolder& Folder)
+{
+	if (Plan.Tasks.empty())
+	{
+		return {};
+	}
+	const FAsideFile Aside(Folder.GetPath() / "measure");
+	std::error_code Error;
+	if (!Files::create_directory(Aside.GetPath(), Error))
+	{
+		throw MakeWriteError(Aside.GetPath().string(), Error.message());
+	}
+	const auto Measure = [&]
+	{
+		return FSweepRunner(Plan, std::nullopt).Run(Plan.Tasks[0], Aside.GetPath(), 1).Seconds;
+	};
+	FSweepCost Cost{Measure(), 0};
+	if (Plan.Task == ESweepTask::Run) // others run more than one frame, so their shaders are a small part
+	{
+		Cost.Seconds = Measure();
+	}
+	for (const Files::directory_entry& Entry : Files::directory_iterator(Aside.GetPath()))
+	{
+		Cost.Bytes += Entry.file_size();
+	}
+	return Cost;
 }
 
 } // namespace Drydock

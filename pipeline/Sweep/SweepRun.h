@@ -43,6 +43,10 @@ private:
 	std::vector<std::pair<std::string, std::string>> SessionSet;
 };
 
+/** Measures the first task of a plan, with the plan's folder for its files, which go away: of frames the first one, once
+ * shaders are compiled. Throws FError as FSweepRunner::Run. */
+DRYDOCK_API FSweepCost MeasureSweep(const FSweepPlan& Plan, const FSweepFolder& Folder);
+
 /** The picture of a frame in a result: "final.png", of a sequence "0012.png". Frame: empty of a scene of one frame. */
 DRYDOCK_API std::string NameSweepPicture(std::optional<int> Frame, const char* Extension);
 
