@@ -1,5 +1,5 @@
 // `drydock sweep plan`, `exec` and `status`: thousands of frames and configurations as tasks, run shard by shard.
-#include "Budget/RunOptions.h"
+#include "Config/ReadConfig.h"
 #include "Program/ProgramOutput.h"
 #include "Program/ProgressBar.h"
 #include "Program/VerbOptions.h"
@@ -13,7 +13,6 @@
 #include "Text/ConfigErrors.h"
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
-#include "Text/TextFile.h"
 #include "TextTools.h"
 
 #include <chrono>
@@ -35,7 +34,7 @@ constexpr size_t MostTasksUnasked = 10'000;
 
 struct FSweepPlanOptions
 {
-	std::string Sweep;
+	std::string Config;
 	std::string Folder;
 	bool bYes = false;
 	bool bJson = false;
@@ -63,38 +62,39 @@ FError MakeLargeError(const std::string& Why, const std::string& File)
 	return FError({.Code = ErrorSweepLarge, .Message = Why + ": --yes goes on", .File = File}, ExitUsage);
 }
 
-/** The sweep, read with the plugins of its config, which bring settings and variables. */
+/** The sweep of a config, read with its plugins, which bring settings and variables. */
 FSweep ReadSweepFile(const std::string& File)
 {
-	const std::string Text = ReadTextFile(File, "the sweep cannot be read");
-	std::vector<FDiagnostic> Diagnostics;
-	const std::optional<std::string> Config = ReadSweepConfigPath(Text, File, Diagnostics);
-	if (!Config)
-	{
-		throw FError(Diagnostics, ExitUsage);
-	}
-	std::unique_ptr<FRunSetup> Setup;
+	std::vector<FDiagnostic> Found;
 	try
 	{
 		FRunOptions Options;
-		Options.ConfigFile = *Config;
-		Setup = std::make_unique<FRunSetup>(Options);
+		Options.ConfigFile = File;
+		const FRunSetup Setup(Options);
+		const FSweep Sweep = ReadSweep(Setup.Config, Found);
+		if (HasErrors(Found))
+		{
+			throw FError(Found, ExitUsage);
+		}
+		PrintDiagnostics(Found);
+		return Sweep;
 	}
 	catch (const FError& Error)
 	{
-		// Both files' mistakes together; what plugins would bring may be among those of the sweep.
+		if (HasErrors(Found))
+		{
+			throw;
+		}
+		// Mistakes of the sweep stand beside those of the config; names of plugins that could not be loaded are among them.
 		std::vector<FDiagnostic> All = Error.GetDiagnostics();
-		ReadSweep(Text, File, All);
+		std::vector<FDiagnostic> Ignored;
+		const FConfig Config = LoadConfig(File, Ignored);
+		if (Config.Sweep.Type == EJsonType::Object)
+		{
+			ReadSweep(Config, All);
+		}
 		throw FError(All, Error.GetExitCode());
 	}
-	std::vector<FDiagnostic> Found;
-	const FSweep Sweep = ReadSweep(Text, File, Found);
-	if (HasErrors(Found))
-	{
-		throw FError(Found, ExitUsage);
-	}
-	PrintDiagnostics(Found);
-	return Sweep;
 }
 
 std::string DescribeAxes(const FSweepPlan& Plan)
@@ -125,18 +125,18 @@ std::string MakePlanSummaryJson(const FSweepPlan& Plan, const std::string& Folde
 
 int PlanSweepFile(const FSweepPlanOptions& Options)
 {
-	const FSweep Sweep = ReadSweepFile(Options.Sweep);
+	const FSweep Sweep = ReadSweepFile(Options.Config);
 	const size_t NumCombinations = CountCombinations(Sweep);
 	if (NumCombinations > MostTasksUnasked && !Options.bYes)
 	{
-		throw MakeLargeError(fmt::format("the axes make {} tasks", NumCombinations), Options.Sweep);
+		throw MakeLargeError(fmt::format("the axes make {} tasks", NumCombinations), Options.Config);
 	}
 	std::vector<FDiagnostic> Remarks;
 	FSweepPlan Plan = PlanSweep(Sweep, Remarks);
 	PrintDiagnostics(Remarks);
 	if (Plan.Tasks.size() > MostTasksUnasked && !Options.bYes)
 	{
-		throw MakeLargeError(fmt::format("the sweep has {} tasks", Plan.Tasks.size()), Options.Sweep);
+		throw MakeLargeError(fmt::format("the sweep has {} tasks", Plan.Tasks.size()), Options.Config);
 	}
 	const FSweepFolder Folder(Options.Folder);
 	Plan.Cost = MeasureSweep(Plan, Folder);
@@ -228,7 +228,7 @@ void ShowSweepBar(const FSweepFolder& Folder, const FSweepPlan& Plan, const std:
 FVerbCall AddSweepPlanOptions(FVerbOptions& Verb)
 {
 	const auto Options = std::make_shared<FSweepPlanOptions>();
-	Verb.Add("SWEEP", Options->Sweep, "JSON file of the sweep, such as configs/sweep.json").Require();
+	Verb.Add("CONFIG", Options->Config, "JSON config with a sweep, such as configs/sweep.json").Require();
 	Verb.Add("--out", Options->Folder, "Folder for the plan and all results").SetType("DIR").Require();
 	Verb.AddFlag("--yes", Options->bYes, "Plan more than 10,000 tasks, or more than the disk has room for");
 	Verb.AddFlag("--json", Options->bJson, "Print JSON");

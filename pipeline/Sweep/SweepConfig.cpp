@@ -1,4 +1,4 @@
-// Reads a sweep key by key, and reports all mistakes at their places.
+// Reads a sweep, and reports all mistakes at their places.
 #include "Sweep/SweepConfig.h"
 
 #include "Budget/RunAssignment.h"
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <tuple>
 
 namespace Drydock
@@ -26,51 +25,26 @@ namespace Files = std::filesystem;
 const std::vector<std::string> SpecialNames = {
 	"scene", "frames", "engine", "plugin", "overlay", "resolution", "precision", "storage"};
 
-/** The keys of each object and the types of their values. */
-const std::map<std::string, std::map<std::string, EJsonType>> SweepKeys = {
-	{"",
-		{{"$schema", EJsonType::String}, {"config", EJsonType::String}, {"task", EJsonType::String},
-			{"pass", EJsonType::String}, {"frames", EJsonType::String}, {"lead", EJsonType::Number},
-			{"split", EJsonType::Object}, {"axes", EJsonType::Array}, {"list", EJsonType::Array},
-			{"exclude", EJsonType::Array}, {"against", EJsonType::Object}, {"outputs", EJsonType::Array},
-			{"measureEffects", EJsonType::Bool}}},
-	{"split", {{"frames", EJsonType::Number}, {"lead", EJsonType::Number}, {"check", EJsonType::String}}},
-	{"axis", {{"name", EJsonType::String}, {"values", EJsonType::Array}}},
-	{"value", {{"label", EJsonType::String}, {"set", EJsonType::Object}}},
-};
-
-const char* DescribeType(EJsonType Type)
-{
-	FJsonValue Value;
-	Value.Type = Type;
-	return Value.Describe();
-}
-
 class FSweepReader
 {
 public:
-	FSweepReader(const std::string& File, std::vector<FDiagnostic>& Diagnostics)
-		: Messages(File, Diagnostics)
-		, Reader(File, SpecialNames, Diagnostics)
+	FSweepReader(const FConfig& InConfig, std::vector<FDiagnostic>& Diagnostics)
+		: Config(InConfig)
+		, Messages(InConfig.File, Diagnostics)
+		, Reader(InConfig.File, SpecialNames, Diagnostics)
 	{
-		Sweep.File = File;
+		Sweep.Config = Config.File;
 	}
 
 	FSweep Read(const FJsonValue& Root)
 	{
-		if (!CheckKeys(Root, "", {"config"}))
-		{
-			return Sweep;
-		}
-		WithMember(Root, "config", EJsonType::String, [&](const FJsonValue& Value) { Sweep.Config = Resolve(Value); });
 		WithMember(Root, "pass", EJsonType::String, [&](const FJsonValue& Value) { Sweep.Pass = Value.String; });
 		WithMember(Root, "task", EJsonType::String,
 			[&](const FJsonValue& Value)
 			{
-				const auto& Names = GetSweepTaskNames();
-				CheckIsOneOf(Value, Value.String, Names, "task", Messages);
-				const auto Found = std::ranges::find(Names, Value.String);
-				Sweep.Task = Found == Names.end() ? ESweepTask::Run : static_cast<ESweepTask>(Found - Names.begin());
+				const auto Found = std::ranges::find(GetSweepTaskNames(), Value.String);
+				const bool bKnown = Found != GetSweepTaskNames().end(); // another name is reported
+				Sweep.Task = static_cast<ESweepTask>(bKnown ? Found - GetSweepTaskNames().begin() : 0);
 			});
 		WithMember(Root, "frames", EJsonType::String,
 			[&](const FJsonValue& Value)
@@ -80,65 +54,24 @@ public:
 				Sweep.FramesPlace = PlaceOf(Value);
 			});
 		Sweep.Lead = ReadCount(Root, "lead", 0);
-		WithMember(Root, "split", EJsonType::Object, [&](const FJsonValue& Value) { ReadSplit(Value); });
-		ReadBool(Root, "measureEffects", Sweep.bMeasure);
-		ReadOutputs(Root);
-		ReadAxes(Root);
-		ReadExclude(Root);
-		WithMember(Root, "against", EJsonType::Object,
-			[&](const FJsonValue& Value)
-			{
-				Sweep.Against = ReadChosen(Value);
-				Sweep.AgainstPlace = PlaceOf(Value);
+		WithMember(Root, "split", EJsonType::Object,
+			[&](const FJsonValue& Value) {
+				Sweep.Split = {ReadCount(Value, "frames", 1), ReadCount(Value, "lead", 0), Value.GetString("check") == "all"};
 			});
+		ReadBool(Root, "measureEffects", Sweep.bMeasure);
+		Sweep.bExr = Contains(Root.GetElements("outputs"), "exr", &FJsonValue::String);
+		ReadAxes(Root);
+		for (const FJsonValue& Value : Root.GetElements("exclude"))
+		{
+			Sweep.Exclude.push_back(ReadChosen(Value));
+		}
+		std::erase(Sweep.Exclude, std::vector<FStudyAssignment>());
+		WithMember(Root, "against", EJsonType::Object, [&](const FJsonValue& Value) { Sweep.Against = ReadChosen(Value); });
 		CheckTask(Root);
 		return Sweep;
 	}
 
-	/** False where Value is not an object. Reports unknown keys, wrong types and missing keys. */
-	bool CheckKeys(const FJsonValue& Value, const std::string& Object, const std::vector<std::string>& Required)
-	{
-		if (Value.Type != EJsonType::Object)
-		{
-			Messages.Error(ErrorWrongType, Value, std::string("expected an object, found ") + Value.Describe());
-			return false;
-		}
-		const std::map<std::string, EJsonType>& Keys = SweepKeys.at(Object);
-		std::vector<std::string> Names;
-		for (const auto& [Name, Type] : Keys)
-		{
-			Names.push_back(Name);
-		}
-		for (const auto& [Key, Member] : Value.Members)
-		{
-			const auto Found = Keys.find(Key);
-			if (Found == Keys.end())
-			{
-				Messages.ErrorAtKey(ErrorUnknownKey, Member, "unknown key" + Messages.Suggest(Key, Names));
-			}
-			else if (Member.Type != Found->second && Member.Type != EJsonType::Invalid)
-			{
-				Messages.Error(ErrorWrongType, Member,
-					std::string("expected ") + DescribeType(Found->second) + ", found " + Member.Describe());
-			}
-		}
-		for (const std::string& Name : Required)
-		{
-			if (Value.Find(Name) == nullptr)
-			{
-				Messages.Error(ErrorMissingKey, Value, "\"" + Name + "\" is missing");
-			}
-		}
-		return true;
-	}
-
 private:
-	/** A path of the sweep, relative to its own folder, as one from the working folder. */
-	std::string Resolve(const FJsonValue& Value) const
-	{
-		return (Files::path(Sweep.File).parent_path() / Value.String).lexically_normal().string();
-	}
-
 	int ReadCount(const FJsonValue& Object, const char* Key, int Least)
 	{
 		constexpr double Most = 1'000'000;
@@ -164,30 +97,6 @@ private:
 		if (!ParseFrameList(Value.Type == EJsonType::String ? Value.String : "", Error))
 		{
 			Messages.Error(ErrorBadValue, Value, Error);
-		}
-	}
-
-	void ReadSplit(const FJsonValue& Value)
-	{
-		CheckKeys(Value, "split", {"frames", "lead"});
-		FSweepSplit Split;
-		Split.NumFrames = ReadCount(Value, "frames", 1);
-		Split.Lead = ReadCount(Value, "lead", 0);
-		WithMember(Value, "check", EJsonType::String,
-			[&](const FJsonValue& Check)
-			{
-				CheckIsOneOf(Check, Check.String, {"first", "all"}, "check", Messages);
-				Split.bCheckAll = Check.String == "all";
-			});
-		Sweep.Split = Split;
-	}
-
-	void ReadOutputs(const FJsonValue& Root)
-	{
-		for (const FJsonValue& Value : Root.GetElements("outputs"))
-		{
-			CheckIsOneOf(Value, Value.String, {"png", "exr"}, "output", Messages);
-			Sweep.bExr = Sweep.bExr || Value.String == "exr";
 		}
 	}
 
@@ -217,9 +126,9 @@ private:
 		else if (Name == "plugin" || Name == "overlay")
 		{
 			std::error_code Ignored;
-			if (!Files::exists(Resolve(Value), Ignored))
+			if (!Files::exists(Config.Resolve(Value.String), Ignored))
 			{
-				Messages.Error(ErrorBadValue, Value, "there is no " + Name + " " + Resolve(Value));
+				Messages.Error(ErrorBadValue, Value, "there is no " + Name + " " + Config.Resolve(Value.String));
 			}
 		}
 		return Read;
@@ -238,25 +147,34 @@ private:
 		return Set;
 	}
 
+	/** {"label": "...", "set": {...}} */
+	FStudyValue ReadNamedValue(const FJsonValue& Value)
+	{
+		const FJsonValue* const Set = Value.Find("set");
+		if (Value.GetString("label").empty() || Set == nullptr || Set->Type != EJsonType::Object ||
+			Value.Members.size() != 2)
+		{
+			Messages.Error(ErrorWrongType, Value,
+				"a value that sets several things must be {\"label\": text, \"set\": {name: value}}");
+			return {};
+		}
+		return {Value.GetString("label"), ReadAssignments(*Set)};
+	}
+
 	void ReadAxis(const FJsonValue& Value)
 	{
-		if (!CheckKeys(Value, "axis", {"name", "values"}))
-		{
-			return;
-		}
 		const FJsonValue* const Name = Value.Find("name");
 		const FJsonValue* const Values = Value.Find("values");
-		if (Name == nullptr || Name->Type != EJsonType::String || Values == nullptr ||
-			Values->Type != EJsonType::Array)
+		if (Name == nullptr || Name->Type != EJsonType::String || Values == nullptr)
 		{
 			return; // reported
 		}
 		FStudyAxis Axis;
 		Axis.Name = Name->String;
 		Axis.Place = PlaceOf(Value);
-		if (Values->Elements.empty())
+		if (Values->Type != EJsonType::Array || Values->Elements.empty())
 		{
-			Messages.Error(ErrorWrongLength, *Values, "\"values\" must have at least one value");
+			Messages.Error(ErrorWrongType, *Values, "\"values\" must be an array of at least one value");
 		}
 		if (Contains(Sweep.Axes, Axis.Name, &FStudyAxis::Name))
 		{
@@ -272,10 +190,7 @@ private:
 		{
 			if (Element.Type == EJsonType::Object)
 			{
-				CheckKeys(Element, "value", {"label", "set"});
-				const FJsonValue* const Set = Element.Find("set");
-				Axis.Values.push_back({Element.GetString("label"),
-					Set != nullptr ? ReadAssignments(*Set) : std::vector<FStudyAssignment>()});
+				Axis.Values.push_back(ReadNamedValue(Element));
 			}
 			else if (std::optional<FStudyAssignment> Assignment = ReadAssignment(Axis.Name, *Name, Element))
 			{
@@ -300,12 +215,6 @@ private:
 		FStudyAxis Cases{.Name = "case"};
 		for (const FJsonValue& Entry : Root.GetElements("list"))
 		{
-			if (Entry.Type != EJsonType::Object)
-			{
-				Messages.Error(
-					ErrorWrongType, Entry, std::string("expected {name: value, ...}, found ") + Entry.Describe());
-				continue;
-			}
 			const std::vector<FStudyAssignment> Set = ReadAssignments(Entry);
 			Cases.Values.push_back({JoinText(Set, ", ",
 										[](const FStudyAssignment& One) { return One.Name + " " + One.Value; }),
@@ -356,19 +265,6 @@ private:
 		return Chosen;
 	}
 
-	void ReadExclude(const FJsonValue& Root)
-	{
-		for (const FJsonValue& Value : Root.GetElements("exclude"))
-		{
-			if (Value.Type != EJsonType::Object || Value.Members.empty())
-			{
-				Messages.Error(ErrorWrongType, Value, "expected {axis: value, ...}");
-				continue;
-			}
-			Sweep.Exclude.push_back(ReadChosen(Value));
-		}
-	}
-
 	/** What only frames of a run have. */
 	void CheckTask(const FJsonValue& Root)
 	{
@@ -389,19 +285,11 @@ private:
 		}
 	}
 
+	const FConfig& Config;
 	FConfigMessages Messages;
 	FRunAssignmentReader Reader;
 	FSweep Sweep;
 };
-
-/** Nothing after a syntax error. */
-std::optional<FJsonValue> Parse(
-	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
-{
-	bool bSyntaxError = false;
-	FJsonValue Root = ParseJson(Text, File, Diagnostics, bSyntaxError);
-	return bSyntaxError ? std::nullopt : std::optional(std::move(Root));
-}
 
 } // namespace
 
@@ -416,28 +304,19 @@ const std::vector<std::string>& GetSweepNames()
 	return SpecialNames;
 }
 
-std::optional<std::string> ReadSweepConfigPath(
-	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
-{
-	const std::optional<FJsonValue> Root = Parse(Text, File, Diagnostics);
-	if (!Root)
-	{
-		return std::nullopt;
-	}
-	const std::string Config = Root->GetString("config");
-	if (Config.empty())
-	{
-		FSweepReader(File, Diagnostics).CheckKeys(*Root, "", {"config"});
-		return std::nullopt;
-	}
-	return (Files::path(File).parent_path() / Config).lexically_normal().string();
-}
-
-FSweep ReadSweep(const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics)
+FSweep ReadSweep(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics)
 {
 	std::vector<FDiagnostic> Found;
-	const std::optional<FJsonValue> Root = Parse(Text, File, Found);
-	FSweep Sweep = Root ? FSweepReader(File, Found).Read(*Root) : FSweep();
+	FSweep Sweep;
+	if (Config.Sweep.Type == EJsonType::Object)
+	{
+		Sweep = FSweepReader(Config, Found).Read(Config.Sweep);
+	}
+	else
+	{
+		FConfigMessages(Config.File, Found)
+			.Error(ErrorMissingKey, FConfigPlace{1, 1, ""}, "the config has no \"sweep\": docs/sweeps.md tells what it holds");
+	}
 	std::ranges::stable_sort(Found, {}, [](const FDiagnostic& One) { return std::tuple(One.Line, One.Column); });
 	Diagnostics.insert(Diagnostics.end(), Found.begin(), Found.end());
 	return Sweep;

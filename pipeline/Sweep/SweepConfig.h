@@ -1,4 +1,4 @@
-// Holds a sweep as its JSON file describes it, and reads it. docs/sweeps.md describes the keys.
+// Holds a sweep as the member "sweep" of a config describes it. Its keys are in ConfigKeys.txt.
 #pragma once
 
 #include "Budget/StudyConfig.h"
@@ -25,14 +25,13 @@ DRYDOCK_API const std::vector<std::string>& GetSweepTaskNames();
 /** A long cut in pieces. */
 struct FSweepSplit
 {
-	int NumFrames = 0;      // of a piece, at least 1
+	int NumFrames = 1;      // of a piece
 	int Lead = 0;           // frames before each piece that are rendered for their history
 	bool bCheckAll = false; // every cut is rendered unsplit, too; else the first alone
 };
 
 struct FSweep
 {
-	std::string File;   // of the sweep
 	std::string Config; // path of the config
 	ESweepTask Task = ESweepTask::Run;
 	std::string Pass;   // of hazards: pattern; empty: all passes of plugins
@@ -44,23 +43,16 @@ struct FSweep
 	std::vector<FStudyAxis> Axes; // their values are combined, the last axis the fastest
 	std::vector<std::vector<FStudyAssignment>> Exclude;
 	std::vector<FStudyAssignment> Against; // the variant that errors are measured against: values of some axes
-	FConfigPlace AgainstPlace;
-	bool bExr = false;    // results keep final.exr, too
-	bool bMeasure = true; // the figures of effects
+	bool bExr = false;                     // results keep final.exr, too
+	bool bMeasure = true;                  // the figures of effects
 };
 
 /** Names of an axis beside settings, console variables and places of the config: scene, frames, engine, plugin,
  * overlay, resolution (percent), precision, storage. */
 DRYDOCK_API const std::vector<std::string>& GetSweepNames();
 
-/** The part of reading that needs nothing of plugins: the config's path. Nothing: the file has none, which is in
- * Diagnostics. */
-DRYDOCK_API std::optional<std::string> ReadSweepConfigPath(
-	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
-
-/** All of it. Every mistake that can be found is appended to Diagnostics, in the order of the file. Console variables of
- * plugins must be there. */
-DRYDOCK_API FSweep ReadSweep(
-	const std::string& Text, const std::string& File, std::vector<FDiagnostic>& Diagnostics);
+/** Every mistake that can be found beside those of types and keys, which reading the config reports, is appended to
+ * Diagnostics, in the order of the file. Console variables of plugins must be there. */
+DRYDOCK_API FSweep ReadSweep(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
 } // namespace Drydock

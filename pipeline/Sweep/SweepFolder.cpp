@@ -65,7 +65,7 @@ bool ReadFlag(const FJsonValue& Object, const char* Key)
 std::string MakePlanJson(const FSweepPlan& Plan)
 {
 	FJsonWriter Writer('{');
-	Writer.Members({{"version", GetVersion()}, {"sweep", Plan.Sweep}, {"config", Plan.Config},
+	Writer.Members({{"version", GetVersion()}, {"config", Plan.Config},
 		{"task", GetSweepTaskNames()[static_cast<size_t>(Plan.Task)]}, {"pass", Plan.Pass}, {"exr", Plan.bExr},
 		{"measureEffects", Plan.bMeasure}, {"tasks", static_cast<uint64_t>(Plan.Tasks.size())},
 		{"secondsPerFrame", Plan.Cost.Seconds}, {"bytesPerFrame", Plan.Cost.Bytes}});
@@ -86,7 +86,6 @@ std::string MakePlanJson(const FSweepPlan& Plan)
 FSweepPlan ReadPlanJson(const FJsonValue& Root)
 {
 	FSweepPlan Plan;
-	Plan.Sweep = Root.GetString("sweep");
 	Plan.Config = Root.GetString("config");
 	Plan.Pass = Root.GetString("pass");
 	const auto& Names = GetSweepTaskNames();
@@ -176,7 +175,7 @@ FSweepPlan FSweepFolder::ReadPlan() const
 	const std::optional<std::string> Text = TryReadTextFile((Path / "plan.json").string());
 	if (!Text)
 	{
-		throw Fail("there is no plan here: `drydock sweep plan SWEEP.json --out DIR` makes one");
+		throw Fail("there is no plan here: `drydock sweep plan CONFIG --out DIR` makes one");
 	}
 	const std::optional<FJsonValue> Root = ParseOwn(*Text);
 	FSweepPlan Plan = Root ? ReadPlanJson(*Root) : FSweepPlan();

@@ -1,6 +1,7 @@
 // Collects the inputs of tasks, and remembers what tasks share.
 #include "Sweep/SweepInputs.h"
 
+#include "Budget/StudyRequest.h"
 #include "ContentHash.h"
 #include "RangeTools.h"
 #include "Run/RunFiles.h"
@@ -79,6 +80,7 @@ FSweepInputs::FKnown& FSweepInputs::Find(const FSweepTask& Task)
 		Made.Config = Setup.Config;
 		Made.Inputs = FindSequenceInputs(Options, Made.Config); // while the plugins' ini files are known
 		AddFurtherFiles(Options, Made.Config, Made.Inputs);
+		Made.Inputs["config"] = GetStudyFingerprint(GetConfigText(Options)); // whose sweep may grow
 		const std::string& Scene = Made.Config.Scene.File.Value;
 		if (!Scene.empty() && (!bRun || Made.Config.Scene.Sequence.empty())) // else frames count for themselves
 		{

@@ -34,7 +34,6 @@ std::string GetAbsolute(const std::string& Path)
 FSweepPlan MakePlan(const FSweep& Sweep)
 {
 	FSweepPlan Plan;
-	Plan.Sweep = GetAbsolute(Sweep.File);
 	Plan.Config = GetAbsolute(Sweep.Config);
 	Plan.Task = Sweep.Task;
 	Plan.Pass = Sweep.Pass;
@@ -105,7 +104,7 @@ void Exclude(const FSweep& Sweep, std::vector<FCombination>& All, std::vector<FD
 		{
 			const FConfigPlace& Place = Chosen[0].Place;
 			Diagnostics.push_back({ESeverity::Warning, WarnSweepAxis,
-				"this entry of \"exclude\" leaves nothing out: no task has these values together", Sweep.File, Place.Line,
+				"this entry of \"exclude\" leaves nothing out: no task has these values together", Sweep.Config, Place.Line,
 				Place.Column, Place.Pointer});
 		}
 	}
@@ -129,7 +128,7 @@ std::vector<FDiagnostic> FindAt(
 		{ return std::ranges::any_of(Known, [&](const FDiagnostic& Other) { return Other.Message == One.Message; }); });
 	for (FDiagnostic& One : Found)
 	{
-		One.File = Sweep.File;
+		One.File = Sweep.Config;
 		One.Line = Place.Line;
 		One.Column = Place.Column;
 		One.Where = Place.Pointer;
@@ -140,7 +139,7 @@ std::vector<FDiagnostic> FindAt(
 void Say(const FSweep& Sweep, const FStudyAxis& Axis, const std::string& Why, std::vector<FDiagnostic>& Diagnostics)
 {
 	Diagnostics.push_back({ESeverity::Warning, WarnSweepAxis, "the axis \"" + Axis.Name + "\" changes nothing: " + Why,
-		Sweep.File, Axis.Place.Line, Axis.Place.Column, Axis.Place.Pointer});
+		Sweep.Config, Axis.Place.Line, Axis.Place.Column, Axis.Place.Pointer});
 }
 
 /** Checks the values of each axis with the config. Values of settings and variables were checked one by one: their first
@@ -303,17 +302,18 @@ FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepTask& Task)
 {
 	const auto Resolve = [&](const std::string& Path)
 	{
-		return (Files::path(Plan.Sweep).parent_path() / Path).lexically_normal().string();
+		return (Files::path(Plan.Config).parent_path() / Path).lexically_normal().string();
 	};
 	FRunOptions Options;
 	Options.ConfigFile = Plan.Config;
 	Options.bMeasureEffects = Plan.bMeasure;
+	Options.bUseBudget = false; // by which the measured times of a study would choose
 	std::vector<FStudyAssignment> Others;
 	for (const auto& [Name, Value] : Task.Set)
 	{
 		if (Name == "scene")
 		{
-			Options.ConfigPlaces.push_back("/scene/file=" + FJsonWriter::Quote(Resolve(Value)));
+			Options.ConfigPlaces.push_back("/scene/file=" + FJsonWriter::Quote(Value));
 		}
 		else if (Name == "engine")
 		{

@@ -40,8 +40,7 @@ struct FSweepCost
 
 struct FSweepPlan
 {
-	std::string Sweep;  // path of the sweep's file, absolute
-	std::string Config; // path of the config, absolute
+	std::string Config; // path, absolute
 	ESweepTask Task = ESweepTask::Run;
 	std::string Pass; // of hazards
 	bool bExr = false;

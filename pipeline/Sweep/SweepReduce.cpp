@@ -71,7 +71,7 @@ std::string MakeSweepPageData(const FSweepFolder& Folder, const FSweepTable& Tab
 	FitPictures(Pictures, {All}, MaxPagePictureBytes);
 	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "sweep"},
-		{"name", Files::path(Table.Plan.Sweep).stem().string()}, {"version", GetVersion()}, {"written", When}});
+		{"name", Files::path(Table.Plan.Config).stem().string()}, {"version", GetVersion()}, {"written", When}});
 	Writer.Key("sweep").Raw(MakeSweepTableJson(Table));
 	Writer.Member("seconds", ToVector<double>(Table.Rows, &FSweepRow::Seconds));
 	Writer.Key("charts").BeginArray();

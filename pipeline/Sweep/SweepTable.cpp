@@ -313,8 +313,7 @@ std::string MakeSweepTableJson(const FSweepTable& Table)
 {
 	const FSweepPlan& Plan = Table.Plan;
 	FJsonWriter Writer('{');
-	Writer.Members({{"version", GetVersion()}, {"sweep", Files::path(Plan.Sweep).filename().string()},
-		{"config", Files::path(Plan.Config).filename().string()},
+	Writer.Members({{"version", GetVersion()}, {"config", Files::path(Plan.Config).filename().string()},
 		{"task", GetSweepTaskNames()[static_cast<size_t>(Plan.Task)]}});
 	Writer.Objects("axes", Plan.Axes,
 		[&](const FSweepAxis& Axis) { Writer.Members({{"name", Axis.Name}, {"values", Axis.Values}}); });

@@ -54,7 +54,7 @@ struct FSweepTable
  * FError: results are missing or damaged (DD1144, exit code 1), or cannot be read (3). */
 DRYDOCK_API FSweepTable MakeSweepTable(const FSweepFolder& Folder, const FSweepPlan& Plan);
 
-/** table.json: {version, sweep, task, axes, against, comparedBy, figures, rows: [{task, values, set, frames, figures,
+/** table.json: {version, config, task, axes, against, comparedBy, figures, rows: [{task, values, set, frames, figures,
  * pictures, messages}], pieces, notes}. Nothing of it depends on times or on who computed what. */
 DRYDOCK_API std::string MakeSweepTableJson(const FSweepTable& Table);
 
