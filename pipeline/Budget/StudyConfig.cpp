@@ -1,11 +1,15 @@
 // Reads "study" and "budget" of a config, and reports mistakes in them.
 #include "Budget/StudyConfig.h"
 
+#include "Config/ReadConfig.h"
 #include "Budget/BlurNames.h"
-#include "Budget/RunAssignment.h"
+#include "Config/ConfigPlaces.h"
 #include "Config/ConfigReader.h"
+#include "HAL/IConsoleManager.h"
 #include "Math/ToInteger.h"
 #include "Picture/ImageMetrics.h"
+#include "PostProcessSettingsReflection.h"
+#include "Text/TextFormat.h"
 #include "TextTools.h"
 #include "RangeTools.h"
 
@@ -25,26 +29,59 @@ const std::vector<std::string> GBlurNames = {"algorithm", "sigma", "input", "sto
 const std::vector<std::string> GInputs = {"scene", "point", "edge"};
 const std::vector<std::string> GResolutions = {"100", "50", "25", "12.5"};
 const std::vector<std::string> GPrecisions = {"float", "double"};
+const std::vector<std::string> GFrameStorages = {"native", "float32", "float64"};
+
+/** False if the value is not a number, a string, true or false, which is reported. */
+bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessages& Messages)
+{
+	switch (Value.Type)
+	{
+	case EJsonType::Number:
+		OutText = NumberText(Value.Number);
+		return true;
+	case EJsonType::String:
+		OutText = Value.String;
+		return true;
+	case EJsonType::Bool:
+		OutText = Value.Bool ? "true" : "false";
+		return true;
+	case EJsonType::Invalid:
+		return false; // reported
+	default:
+		Messages.Error(ErrorWrongType, Value,
+			std::string("expected a number, a string or true or false, found ") + Value.Describe());
+		return false;
+	}
+}
 
 /** Reads the study of one config. */
 class FStudyReader
 {
 public:
-	FStudyReader(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics)
+	/** FurtherNames: of axes, which the caller knows what to do with. */
+	FStudyReader(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics,
+		const std::vector<std::string>& FurtherNames = {})
 		: Config(InConfig)
+		, Diagnostics(InDiagnostics)
 		, Messages(InConfig.File, InDiagnostics)
-		, FrameReader(InConfig.File, {"precision", "storage"}, InDiagnostics)
 	{
+		FrameNames.insert(FrameNames.end(), FurtherNames.begin(), FurtherNames.end());
+	}
+
+	std::vector<FStudyAxis> ReadAxes(const std::vector<FJsonValue>& Axes)
+	{
+		for (const FJsonValue& Axis : Axes)
+		{
+			ReadAxis(Axis);
+		}
+		return Study.Axes;
 	}
 
 	FStudy Read(const FJsonValue& Value)
 	{
 		const std::vector<FJsonValue>& Axes = Value.GetElements("axes");
 		Study.bBlur = std::ranges::any_of(Axes, NamesAlgorithm);
-		for (const FJsonValue& Axis : Axes)
-		{
-			ReadAxis(Axis);
-		}
+		ReadAxes(Axes);
 		const FJsonValue* Given = Value.Find("axes");
 		if (Given != nullptr && Given->Type == EJsonType::Array && Axes.empty())
 		{
@@ -76,7 +113,7 @@ public:
 		Budget.bDefault = false;
 		if (const FJsonValue* Metric = Value.Find("metric"); Metric != nullptr && Metric->Type == EJsonType::String)
 		{
-			CheckIsOneOf(*Metric, Metric->String, GetMetricNames(), "metric", Messages);
+			CheckIsOneOf(*Metric, Metric->String, GetMetricNames(), "metric");
 			Budget.Metric = Metric->String;
 		}
 		const auto ReadNumber = [&](const char* Key, std::optional<double>& Number)
@@ -105,6 +142,17 @@ public:
 private:
 	static bool NamesAlgorithm(const FJsonValue& Axis) { return Axis.GetString("name") == "algorithm"; }
 
+	void CheckIsOneOf(
+		const FJsonValue& At, const std::string& Value, const std::vector<std::string>& Names, const char* What)
+	{
+		if (!Contains(Names, Value))
+		{
+			Messages.Error(ErrorUnknownValue, At,
+				std::string("there is no ") + What + " \"" + Value + "\": " + JoinText(Names) +
+					Messages.Suggest(Value, Names));
+		}
+	}
+
 	void CheckBlurValue(const std::string& Name, const std::string& Text, const FJsonValue& At)
 	{
 		auto Algorithms = ToVector<std::string>(GetBlurAlgorithms(), &FBlurAlgorithm::Name);
@@ -116,7 +164,7 @@ private:
 																		 : nullptr;
 		if (Allowed != nullptr)
 		{
-			CheckIsOneOf(At, Text, *Allowed, Name.c_str(), Messages);
+			CheckIsOneOf(At, Text, *Allowed, Name.c_str());
 		}
 		else if (At.Type != EJsonType::Number || !(At.Number >= 0.5) || At.Number > 1000.0)
 		{
@@ -124,39 +172,76 @@ private:
 		}
 	}
 
+	void CheckFrameValue(const FStudyAssignment& Assignment, const FJsonValue& At)
+	{
+		if (Assignment.Name == "precision" || Assignment.Name == "storage")
+		{
+			CheckIsOneOf(At, Assignment.Value, Assignment.Name == "precision" ? GPrecisions : GFrameStorages,
+				Assignment.Name.c_str());
+		}
+		else if (FindSettingField(Assignment.Name) != nullptr)
+		{
+			FConfig Scratch;
+			std::vector<FDiagnostic> Found;
+			AddSettingArgument(Scratch, Assignment.Name + "=" + Assignment.Value, Found);
+			for (FDiagnostic& Diagnostic : Found)
+			{
+				Diagnostic.File = Config.File;
+				Diagnostic.Line = At.Line;
+				Diagnostic.Column = At.Column;
+				Diagnostic.Where = At.Pointer;
+				Diagnostics.push_back(Diagnostic);
+			}
+		}
+		else if (!IsConfigPlace(Assignment.Name) &&
+				 !Contains(FrameNames, Assignment.Name)) // places are checked with the plugins that they belong to
+		{
+			CheckVariable({Assignment.Name, Assignment.Value, PlaceOf(At)}, Messages);
+		}
+	}
+
 	/** Reports a name that nothing has. */
 	bool CheckName(const std::string& Name, const FJsonValue& At)
 	{
+		std::vector<std::string> Names = GBlurNames;
+		bool bKnown = Contains(Names, Name);
 		if (!Study.bBlur)
 		{
-			return FrameReader.CheckName(Name, At);
+			Names = FrameNames;
+			for (const FSettingField& Field : GetSettingFields())
+			{
+				Names.emplace_back(Field.Name);
+			}
+			IConsoleManager::Get().ForEachConsoleObjectThatStartsWith(
+				FConsoleObjectVisitor::CreateLambda(
+					[&](const TCHAR* Variable, IConsoleObject*) { Names.emplace_back(Variable); }),
+				TEXT(""));
+			bKnown = IsConfigPlace(Name) || Contains(FrameNames, Name) || FindSettingField(Name) != nullptr ||
+					 IConsoleManager::Get().FindConsoleVariable(Name.c_str()) != nullptr;
 		}
-		if (!Contains(GBlurNames, Name))
+		if (!bKnown)
 		{
 			Messages.Error(ErrorUnknownValue, At,
-				"\"" + Name + "\" is not an axis of a study of blurs; there are " + JoinText(GBlurNames) +
-					Messages.Suggest(Name, GBlurNames));
-			return false;
+				"\"" + Name + "\" is " +
+					(Study.bBlur ? "not an axis of a study of blurs; there are " + JoinText(GBlurNames)
+								 : "not a setting, a console variable, " + JoinText(FrameNames) +
+									   " or a place such as /objects/UMySettings/Intensity") +
+					Messages.Suggest(Name, Names));
 		}
-		return true;
+		return bKnown;
 	}
 
 	/** Empty when it is wrong, which is reported. */
 	std::optional<FStudyAssignment> ReadAssignment(
 		const std::string& Name, const FJsonValue& NameAt, const FJsonValue& Value)
 	{
-		if (!Study.bBlur)
-		{
-			return FrameReader.Read(Name, NameAt, Value);
-		}
-		const bool bKnown = CheckName(Name, NameAt);
-		const std::optional<std::string> Text = bKnown ? ReadValueText(Value, Messages) : std::nullopt;
-		if (!Text)
+		FStudyAssignment Assignment{Name, "", PlaceOf(Value)};
+		if (!CheckName(Name, NameAt) || !ReadValueText(Value, Assignment.Value, Messages))
 		{
 			return std::nullopt;
 		}
-		CheckBlurValue(Name, *Text, Value);
-		return FStudyAssignment{Name, *Text, PlaceOf(Value)};
+		Study.bBlur ? CheckBlurValue(Name, Assignment.Value, Value) : CheckFrameValue(Assignment, Value);
+		return Assignment;
 	}
 
 	std::vector<FStudyAssignment> ReadAssignments(const FJsonValue& Object)
@@ -268,7 +353,7 @@ private:
 		{
 			if (Metric.Type == EJsonType::String) // another type is reported
 			{
-				CheckIsOneOf(Metric, Metric.String, GetMetricNames(), "metric", Messages);
+				CheckIsOneOf(Metric, Metric.String, GetMetricNames(), "metric");
 				Study.Metrics.push_back(Metric.String);
 			}
 		}
@@ -341,8 +426,9 @@ private:
 	}
 
 	const FConfig& Config;
+	std::vector<FDiagnostic>& Diagnostics;
 	FConfigMessages Messages;
-	FRunAssignmentReader FrameReader; // of studies of frames
+	std::vector<std::string> FrameNames = {"precision", "storage"}; // of what frames vary beside settings
 	FStudy Study;
 };
 
@@ -371,6 +457,12 @@ std::optional<FStudy> ReadStudy(const FConfig& Config, std::vector<FDiagnostic>&
 		Study.Budget.Max = 0.5 / 255.0;
 	}
 	return Study;
+}
+
+std::vector<FStudyAxis> ReadAxes(const FConfig& Config, const FJsonValue& Value,
+	const std::vector<std::string>& FurtherNames, std::vector<FDiagnostic>& Diagnostics)
+{
+	return FStudyReader(Config, Diagnostics, FurtherNames).ReadAxes(Value.GetElements("axes"));
 }
 
 } // namespace Drydock

@@ -1,11 +1,10 @@
-// Runs a shard: tasks of a plan in this process, or in a process for all of them that is watched, so that a crash costs the
-// one task that made it.
+// Runs a shard: tasks of a plan in this process, or in one of their own that is watched, so that a crash costs the one
+// task that made it.
 #pragma once
 
 #include "DrydockAPI.h"
-#include "Sweep/SweepFolder.h"
+#include "Sweep/SweepPlan.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,31 +15,25 @@ namespace Drydock
 struct FShardRequest
 {
 	std::string Folder;
-	std::vector<size_t> Tasks; // indices into the plan, in the order in which they run
+	std::vector<std::string> Hashes; // beginnings of hashes of tasks; empty: the shard's
+	int Index = 1;                   // of the shard, from 1 on
+	int Of = 1;                      // shards, which together have each task once
 	std::optional<int> Threads;
-	std::string Program; // drydock's own, for a process of its own; empty: this process's
-	/** Called before each task and after the last, Done of Total. */
-	std::function<void(int Done, int Total, const std::string& What)> Progress;
-	/** Called with the messages of each task that fails. */
-	std::function<void(const FSweepTask& Task, const std::vector<FDiagnostic>& Messages)> Report;
 };
 
 struct FShardResult
 {
-	int NumDone = 0;  // run now
-	int NumThere = 0; // were there
-	int NumFailed = 0;
+	int NumDone = 0;                   // run now
+	int NumThere = 0;                  // were there
+	std::vector<std::string> Failures; // of each task that failed its values and its messages
 };
 
-/** The tasks of shard Index, from 1 on, of Count. Together all shards have each task once. */
-DRYDOCK_API std::vector<size_t> ChooseShard(const FSweepPlan& Plan, int Index, int Count);
+/** The tasks of a shard by their indices. Throws FError (exit code 2): no such shard, or a text that fits no task. */
+DRYDOCK_API std::vector<size_t> ChooseTasks(const FSweepPlan& Plan, const FShardRequest& Request);
 
-/** The tasks whose hashes begin with the texts. Throws FError (exit code 2) for a text that fits none or several. */
-DRYDOCK_API std::vector<size_t> FindTasks(const FSweepPlan& Plan, const std::vector<std::string>& Hashes);
-
-/** Runs the tasks here, those that are finished left out. A task that another process is at is waited for, and run where
+/** Runs the tasks here but for those that are finished. One that another process is at is waited for, and run where
  * that process ends without a result. A task that fails leaves its messages in the folder, and the others go on. Throws
- * FError where nothing of this can be done: no plan, a folder that cannot be written. */
+ * FError where nothing of this can be done. */
 DRYDOCK_API FShardResult RunShard(const FShardRequest& Request);
 
 /** The same in a process of its own, which is started again where it crashed: the task that it was at has failed. */

@@ -3,8 +3,7 @@
 
 #include "RangeTools.h"
 #include "Sweep/SweepErrors.h"
-#include "Text/AsideFile.h"
-#include "Text/Json.h"
+#include "Text/FileList.h"
 #include "Text/JsonWriter.h"
 #include "Text/OutputErrors.h"
 #include "Text/OutputFolder.h"
@@ -12,6 +11,7 @@
 #include "Text/Version.h"
 #include "TextTools.h"
 
+#include <algorithm>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -24,36 +24,16 @@ namespace
 
 namespace Files = std::filesystem;
 
-const FOutputNames& GetPlanOutputNames()
+void WriteSet(FJsonWriter& Writer, const char* Key, const FSweepSet& Set)
 {
-	static const FOutputNames Names = {
-		.Name = "plan", .Files = {"plan.json", "tasks.jsonl"}, .Last = "plan.json", .Folders = {}, .Unsteady = {}};
-	return Names;
+	Writer.Object(Key, Set, [&](const auto& One) { Writer.Member(One.first, One.second); });
 }
 
-using FPairs = std::vector<std::pair<std::string, std::string>>;
-
-void WritePairs(FJsonWriter& Writer, const char* Key, const FPairs& Pairs)
+FSweepSet ReadSet(const FJsonValue& Object, const char* Key)
 {
-	Writer.Object(Key, Pairs, [&](const auto& One) { Writer.Member(One.first, One.second); });
-}
-
-FPairs ReadPairs(const FJsonValue& Object, const char* Key)
-{
-	FPairs Pairs;
-	if (const FJsonValue* const Value = Object.Find(Key))
-	{
-		for (const auto& [Name, Text] : Value->Members)
-		{
-			Pairs.push_back({Name, Text.String});
-		}
-	}
-	return Pairs;
-}
-
-std::vector<std::string> ReadStrings(const FJsonValue& Object, const char* Key)
-{
-	return ToVector<std::string>(Object.GetElements(Key), &FJsonValue::String);
+	const FJsonValue* const Value = Object.Find(Key);
+	return ToVector<FSweepSet::value_type>(Value != nullptr ? Value->Members : std::vector<FJsonMember>(),
+		[](const FJsonMember& One) { return std::pair(One.Key, One.Value.String); });
 }
 
 bool ReadFlag(const FJsonValue& Object, const char* Key)
@@ -62,24 +42,28 @@ bool ReadFlag(const FJsonValue& Object, const char* Key)
 	return Value != nullptr && Value->Bool;
 }
 
+std::vector<std::string> ReadStrings(const FJsonValue& Object, const char* Key)
+{
+	return ToVector<std::string>(Object.GetElements(Key), &FJsonValue::String);
+}
+
 std::string MakePlanJson(const FSweepPlan& Plan)
 {
 	FJsonWriter Writer('{');
-	Writer.Members({{"version", GetVersion()}, {"config", Plan.Config},
-		{"task", GetSweepTaskNames()[static_cast<size_t>(Plan.Task)]}, {"pass", Plan.Pass}, {"exr", Plan.bExr},
-		{"measureEffects", Plan.bMeasure}, {"tasks", static_cast<uint64_t>(Plan.Tasks.size())},
-		{"secondsPerFrame", Plan.Cost.Seconds}, {"bytesPerFrame", Plan.Cost.Bytes}});
+	Writer.Members({{"version", GetVersion()}, {"config", Plan.Config}, {"task", Plan.Kind}, {"pass", Plan.Pass},
+		{"exr", Plan.bExr}, {"measureEffects", Plan.bMeasure}, {"tasks", uint64_t(Plan.Tasks.size())},
+		{"secondsPerFrame", Plan.SecondsPerFrame}, {"bytesPerFrame", Plan.BytesPerFrame}});
 	Writer.Objects("axes", Plan.Axes,
-		[&](const FSweepAxis& Axis) { Writer.Members({{"name", Axis.Name}, {"values", Axis.Values}}); });
-	WritePairs(Writer, "against", Plan.Against);
-	Writer.Array("inputs", Plan.Inputs,
-		[&](const auto& Of)
-		{
-			Writer.BeginObject();
-			Writer.Member("of", Of.first);
-			WritePairs(Writer, "inputs", {Of.second.begin(), Of.second.end()});
-			Writer.EndObject();
+		[&](const FSweepAxis& Axis) {
+			Writer.Members({{"name", Axis.Name}, {"values", Axis.Values}});
 		});
+	WriteSet(Writer, "against", Plan.Against);
+	Writer.Key("inputs").BeginObject();
+	for (const auto& [Key, Inputs] : Plan.Inputs)
+	{
+		WriteSet(Writer, Key.c_str(), {Inputs.begin(), Inputs.end()});
+	}
+	Writer.EndObject();
 	return Writer.GetText();
 }
 
@@ -87,28 +71,59 @@ FSweepPlan ReadPlanJson(const FJsonValue& Root)
 {
 	FSweepPlan Plan;
 	Plan.Config = Root.GetString("config");
+	Plan.Kind = Root.GetString("task");
 	Plan.Pass = Root.GetString("pass");
-	const auto& Names = GetSweepTaskNames();
-	Plan.Task = static_cast<ESweepTask>(std::ranges::find(Names, Root.GetString("task")) - Names.begin());
 	Plan.bExr = ReadFlag(Root, "exr");
 	Plan.bMeasure = ReadFlag(Root, "measureEffects");
-	Plan.Cost.Seconds = Root.GetNumber("secondsPerFrame", 0.0);
-	Plan.Cost.Bytes = static_cast<uint64_t>(Root.GetNumber("bytesPerFrame", 0.0));
+	Plan.SecondsPerFrame = Root.GetNumber("secondsPerFrame", 0.0);
+	Plan.BytesPerFrame = static_cast<uint64_t>(Root.GetNumber("bytesPerFrame", 0.0));
+	Plan.Against = ReadSet(Root, "against");
 	for (const FJsonValue& Axis : Root.GetElements("axes"))
 	{
 		Plan.Axes.push_back({Axis.GetString("name"), ReadStrings(Axis, "values")});
 	}
-	Plan.Against = ReadPairs(Root, "against");
-	for (const FJsonValue& Of : Root.GetElements("inputs"))
+	const FJsonValue* const Inputs = Root.Find("inputs");
+	for (const FJsonMember& One : Inputs != nullptr ? Inputs->Members : std::vector<FJsonMember>())
 	{
-		const FPairs Pairs = ReadPairs(Of, "inputs");
-		Plan.Inputs[Of.GetString("of")] = FRunInputs(Pairs.begin(), Pairs.end());
+		const FSweepSet Set = ReadSet(*Inputs, One.Key.c_str());
+		Plan.Inputs[One.Key] = FRunInputs(Set.begin(), Set.end());
 	}
 	return Plan;
 }
 
-/** Nothing where the text is not JSON. */
-std::optional<FJsonValue> ParseOwn(const std::string& Text)
+std::string MakeTaskLine(const FSweepTask& Task)
+{
+	FJsonWriter Writer;
+	Writer.BeginObject(true);
+	Writer.Members({{"hash", Task.Hash}, {"values", Task.Values}});
+	WriteSet(Writer, "set", Task.Set);
+	Writer.MemberIfAny("frames", Task.Frames);
+	Writer.MemberIfAny("lead", Task.LeadFrames);
+	Writer.MemberIfAny("unsplit", Task.bUnsplit);
+	return Writer.GetText();
+}
+
+/** The parent of results or times: a folder with thousands of entries is slow to search. */
+Files::path GetPart(const Files::path& Folder, const FSweepTask& Task)
+{
+	return Folder / Task.Hash.substr(0, 2);
+}
+
+/** Whether the folder of a task has a lock, and whether a process holds it. */
+std::pair<bool, bool> FindLock(const Files::path& Folder)
+{
+	const int File = open((Folder / ".drydock.lock").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+	const bool bHeld = File >= 0 && flock(File, LOCK_SH | LOCK_NB) != 0;
+	if (File >= 0)
+	{
+		close(File);
+	}
+	return {File >= 0, bHeld};
+}
+
+} // namespace
+
+std::optional<FJsonValue> ParseSweepJson(const std::string& Text)
 {
 	std::vector<FDiagnostic> Ignored;
 	bool bSyntaxError = false;
@@ -116,91 +131,49 @@ std::optional<FJsonValue> ParseOwn(const std::string& Text)
 	return bSyntaxError || Root.Type != EJsonType::Object ? std::nullopt : std::optional(std::move(Root));
 }
 
-Files::path GetInFolders(const Files::path& Folder, const FSweepTask& Task)
-{
-	return Folder / Task.Hash.substr(0, 2) / Task.Hash; // a folder with thousands of entries is slow to search
-}
-
-/** Whether a process holds the lock in the folder of a task. */
-bool IsLocked(const Files::path& Folder)
-{
-	const int File = open((Folder / ".drydock.lock").c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-	if (File < 0)
-	{
-		return false;
-	}
-	const bool bLocked = flock(File, LOCK_SH | LOCK_NB) != 0;
-	close(File);
-	return bLocked;
-}
-
-} // namespace
-
-std::string MakeTaskLine(const FSweepTask& Task)
-{
-	FJsonWriter Writer;
-	Writer.BeginObject(true);
-	Writer.Members({{"hash", Task.Hash}, {"values", Task.Values}});
-	WritePairs(Writer, "set", Task.Set);
-	Writer.MemberIfAny("frames", Task.Frames);
-	Writer.MemberIfAny("lead", Task.LeadFrames);
-	Writer.MemberIfAny("unsplit", Task.bUnsplit);
-	return Writer.GetText();
-}
-
-FSweepFolder::FSweepFolder(Files::path InPath)
-	: Path(std::move(InPath))
-{
-}
-
 void FSweepFolder::WritePlan(const FSweepPlan& Plan) const
 {
-	FOutputFolder Output(Path, GetPlanOutputNames());
-	std::string Lines;
-	for (const FSweepTask& Task : Plan.Tasks)
-	{
-		Lines += MakeTaskLine(Task);
-	}
-	WriteWholeFile((Output.GetAside() / "tasks.jsonl").string(), Lines);
-	WriteWholeFile((Output.GetAside() / "plan.json").string(), MakePlanJson(Plan));
+	const FOutputNames Names = {
+		.Name = "plan", .Files = {"plan.json", "tasks.jsonl"}, .Last = "plan.json", .Folders = {}, .Unsteady = {}};
+	FOutputFolder Output(Path, Names);
+	WriteWholeFile(Output.GetAside() / "tasks.jsonl", JoinText(Plan.Tasks, "", MakeTaskLine));
+	WriteWholeFile(Output.GetAside() / "plan.json", MakePlanJson(Plan));
 	Output.PutInPlace();
 }
 
 FSweepPlan FSweepFolder::ReadPlan() const
 {
-	const auto Fail = [&](const std::string& Why)
-	{
-		return FError({.Code = ErrorSweepNoPlan, .Message = Why, .File = (Path / "plan.json").string()}, ExitUsage);
-	};
-	const std::optional<std::string> Text = TryReadTextFile((Path / "plan.json").string());
-	if (!Text)
-	{
-		throw Fail("there is no plan here: `drydock sweep plan CONFIG --out DIR` makes one");
-	}
-	const std::optional<FJsonValue> Root = ParseOwn(*Text);
+	const std::string File = (Path / "plan.json").string();
+	const std::optional<std::string> Text = TryReadTextFile(File);
+	const std::optional<FJsonValue> Root = ParseSweepJson(Text.value_or(""));
 	FSweepPlan Plan = Root ? ReadPlanJson(*Root) : FSweepPlan();
-	const std::string Lines = TryReadTextFile((Path / "tasks.jsonl").string(), MaxBinaryBytes).value_or("");
-	for (const std::string& Line : SplitText(Lines))
+	for (const std::string& Line : SplitText(TryReadTextFile(Path / "tasks.jsonl", MaxBinaryBytes).value_or("")))
 	{
-		const std::optional<FJsonValue> Task = ParseOwn(Line);
-		if (!Task)
+		if (const std::optional<FJsonValue> Task = ParseSweepJson(Line))
 		{
-			break;
+			Plan.Tasks.push_back({Task->GetString("hash"), ReadStrings(*Task, "values"), ReadSet(*Task, "set"),
+				Task->GetString("frames"), Task->GetString("lead"), ReadFlag(*Task, "unsplit")});
 		}
-		Plan.Tasks.push_back({Task->GetString("hash"), ReadStrings(*Task, "values"), ReadPairs(*Task, "set"),
-			Task->GetString("frames"), Task->GetString("lead"), ReadFlag(*Task, "unsplit")});
 	}
-	if (!Root || static_cast<double>(Plan.Tasks.size()) != Root->GetNumber("tasks", -1.0) ||
-		static_cast<size_t>(Plan.Task) >= GetSweepTaskNames().size())
+	if (!Root || Plan.Tasks.empty() || double(Plan.Tasks.size()) != Root->GetNumber("tasks", 0.0))
 	{
-		throw Fail("the plan is damaged, or of another drydock: `drydock sweep plan` makes it again, and keeps results");
+		throw FError({.Code = ErrorSweepNoPlan,
+						 .Message = std::string(Text ? "the plan is damaged" : "there is no plan here") +
+									": `drydock sweep plan CONFIG --out DIR` makes it, and keeps results",
+						 .File = File},
+			ExitUsage);
 	}
 	return Plan;
 }
 
 Files::path FSweepFolder::GetResult(const FSweepTask& Task) const
 {
-	return GetInFolders(Path / "results", Task);
+	return GetPart(Path / "results", Task) / Task.Hash;
+}
+
+Files::path FSweepFolder::GetTime(const FSweepTask& Task) const
+{
+	return GetPart(Path / "times", Task) / (Task.Hash + ".json");
 }
 
 bool FSweepFolder::HasResult(const FSweepTask& Task) const
@@ -209,19 +182,11 @@ bool FSweepFolder::HasResult(const FSweepTask& Task) const
 	return Files::exists(GetResult(Task) / SweepResultListName, Ignored);
 }
 
-std::string FSweepFolder::FindFault(const FSweepTask& Task) const
+bool FSweepFolder::HasGoodResult(const FSweepTask& Task) const
 {
-	const Files::path Folder = GetResult(Task);
-	const FFileList Written = FFileList::Read(Folder / SweepResultListName);
-	for (const std::string& Name : Written.GetNames())
-	{
-		const std::string Fault = Written.FindFault(Folder, Name);
-		if (!Fault.empty())
-		{
-			return Name + " " + Fault;
-		}
-	}
-	return Written.IsEmpty() ? "it has no files" : "";
+	const FFileList Written = FFileList::Read(GetResult(Task) / SweepResultListName);
+	return !Written.IsEmpty() && std::ranges::all_of(Written.GetNames(), [&](const std::string& Name)
+									 { return Written.FindFault(GetResult(Task), Name).empty(); });
 }
 
 void FSweepFolder::RemoveResult(const FSweepTask& Task) const
@@ -238,51 +203,32 @@ void FSweepFolder::RemoveResult(const FSweepTask& Task) const
 	RemoveFiles(Folder.parent_path(), {Task.Hash});
 }
 
-void FSweepFolder::WriteTime(const FSweepTask& Task, const FSweepTime& Time) const
+void FSweepFolder::WriteTime(const FSweepTask& Task, double Seconds, const std::string& StudyTiming) const
 {
 	FJsonWriter Writer('{');
-	Writer.Members({{"seconds", Time.Seconds}, {"threads", Time.Threads}, {"host", Time.Host}});
-	Writer.RawMember("study", Time.More);
-	WriteTextFile(GetInFolders(Path / "times", Task).string() + ".json", Writer.GetText());
+	Writer.Member("seconds", Seconds);
+	Writer.RawMember("study", StudyTiming);
+	WriteTextFile(GetTime(Task), Writer.GetText());
 }
 
-std::optional<FSweepTime> FSweepFolder::ReadTime(const FSweepTask& Task) const
+std::optional<double> FSweepFolder::ReadSeconds(const FSweepTask& Task) const
 {
-	const std::optional<FJsonValue> Root =
-		ParseOwn(TryReadTextFile(GetInFolders(Path / "times", Task).string() + ".json").value_or(""));
-	return Root ? std::optional(FSweepTime{Root->GetNumber("seconds", 0.0),
-					  static_cast<int>(Root->GetNumber("threads", 0.0)), Root->GetString("host")})
-				: std::nullopt;
+	const std::optional<FJsonValue> Root = ParseSweepJson(TryReadTextFile(GetTime(Task)).value_or(""));
+	return Root ? std::optional(Root->GetNumber("seconds", 0.0)) : std::nullopt;
 }
 
 void FSweepFolder::WriteFailure(const FSweepTask& Task, const std::vector<FDiagnostic>& Messages) const
 {
 	FJsonWriter Writer('{');
-	Writer.Objects("messages", Messages,
-		[&](const FDiagnostic& One)
-		{
-			Writer.Members({{"severity", static_cast<int>(One.Severity)}, {"code", One.Code}, {"message", One.Message},
-				{"file", One.File}, {"line", One.Line}, {"column", One.Column}, {"where", One.Where}});
-		});
-	WriteTextFile((Path / "failed" / (Task.Hash + ".json")).string(), Writer.GetText());
+	Writer.Member("messages", ToVector<std::string>(Messages, &FDiagnostic::ToString));
+	WriteTextFile(Path / "failed" / (Task.Hash + ".json"), Writer.GetText());
 }
 
-std::optional<std::vector<FDiagnostic>> FSweepFolder::ReadFailure(const FSweepTask& Task) const
+std::optional<std::string> FSweepFolder::ReadFailure(const FSweepTask& Task) const
 {
-	const std::optional<FJsonValue> Root =
-		ParseOwn(TryReadTextFile((Path / "failed" / (Task.Hash + ".json")).string()).value_or(""));
-	if (!Root)
-	{
-		return std::nullopt;
-	}
-	return ToVector<FDiagnostic>(Root->GetElements("messages"),
-		[](const FJsonValue& One)
-		{
-			return FDiagnostic{static_cast<ESeverity>(One.GetNumber("severity", 0.0)),
-				static_cast<int>(One.GetNumber("code", 0.0)), One.GetString("message"), One.GetString("file"),
-				static_cast<int>(One.GetNumber("line", 0.0)), static_cast<int>(One.GetNumber("column", 0.0)),
-				One.GetString("where")};
-		});
+	const std::optional<std::string> Text = TryReadTextFile(Path / "failed" / (Task.Hash + ".json"));
+	const std::optional<FJsonValue> Root = ParseSweepJson(Text.value_or(""));
+	return Root ? std::optional(JoinText(ReadStrings(*Root, "messages"), "\n")) : std::nullopt;
 }
 
 void FSweepFolder::RemoveFailure(const FSweepTask& Task) const
@@ -295,7 +241,7 @@ std::unique_ptr<FFolderLock> FSweepFolder::TryLock(const FSweepTask& Task) const
 {
 	try
 	{
-		return std::make_unique<FFolderLock>(Path / "running" / Task.Hash);
+		return std::make_unique<FFolderLock>(GetRunning(Task));
 	}
 	catch (const FError& Error)
 	{
@@ -307,25 +253,59 @@ std::unique_ptr<FFolderLock> FSweepFolder::TryLock(const FSweepTask& Task) const
 	}
 }
 
-std::vector<std::string> FSweepFolder::FindRunning() const
+bool FSweepFolder::IsRunning(const FSweepTask& Task) const
 {
-	std::vector<std::string> Hashes;
-	std::error_code Ignored;
-	for (const Files::directory_entry& Entry : Files::directory_iterator(Path / "running", Ignored))
-	{
-		if (IsLocked(Entry.path()))
-		{
-			Hashes.push_back(Entry.path().filename().string());
-		}
-	}
-	return Hashes;
+	return FindLock(GetRunning(Task)).second;
 }
 
 bool FSweepFolder::WasAbandoned(const FSweepTask& Task) const
 {
-	std::error_code Ignored;
-	const Files::path Folder = Path / "running" / Task.Hash;
-	return Files::exists(Folder / ".drydock.lock", Ignored) && !IsLocked(Folder);
+	return FindLock(GetRunning(Task)) == std::pair(true, false);
+}
+
+size_t FSweepFolder::CountDone(const FSweepPlan& Plan) const
+{
+	return size_t(std::ranges::count_if(Plan.Tasks, [this](const FSweepTask& Task) { return HasResult(Task); }));
+}
+
+FSweepStatus FSweepFolder::FindStatus(const FSweepPlan& Plan) const
+{
+	constexpr size_t MostTimes = 200; // enough for a mean
+	FSweepStatus Status;
+	Status.NumTasks = Plan.Tasks.size();
+	double Seconds = 0.0;
+	size_t NumTimes = 0;
+	for (const FSweepTask& Task : Plan.Tasks)
+	{
+		if (HasResult(Task))
+		{
+			++Status.NumDone;
+			const std::optional<double> Time = NumTimes < MostTimes ? ReadSeconds(Task) : std::nullopt;
+			Seconds += Time.value_or(0.0);
+			NumTimes += Time ? 1 : 0;
+		}
+		else if (IsRunning(Task))
+		{
+			++Status.NumRunning;
+		}
+		else if (const std::optional<std::string> Failure = ReadFailure(Task))
+		{
+			++Status.NumFailed;
+			Status.Failures.push_back(Task.Hash.substr(0, 12) + " " + DescribeTask(Plan, Task) + ": " +
+									  Failure->substr(0, Failure->find('\n')));
+		}
+		else
+		{
+			++Status.NumMissing;
+		}
+	}
+	Status.SecondsPerTask = NumTimes > 0 ? Seconds / double(NumTimes) : Plan.GetSeconds() / double(Status.NumTasks);
+	if (Status.NumRunning > 0)
+	{
+		Status.SecondsLeft =
+			Status.SecondsPerTask * double(Status.NumRunning + Status.NumMissing) / double(Status.NumRunning);
+	}
+	return Status;
 }
 
 } // namespace Drydock

@@ -1,12 +1,12 @@
-// The folder of a sweep: plan.json and tasks.jsonl; results/HH/HASH, complete from the moment it exists; times/HH/HASH.json;
-// failed/HASH.json, the messages of a task that failed; running/HASH, locked while a process is at it. Nothing in results
-// depends on who computed it, or when.
+// The folder of a sweep: plan.json and tasks.jsonl; results/HH/HASH, complete from the moment it exists;
+// times/HH/HASH.json; failed/HASH.json, the messages of a task that failed; running/HASH, locked while a process is at
+// it. Nothing in results depends on who computed it, or when.
 #pragma once
 
 #include "DrydockAPI.h"
 #include "Sweep/SweepPlan.h"
-#include "Text/FileList.h"
 #include "Text/FolderLock.h"
+#include "Text/Json.h"
 
 #include <filesystem>
 #include <memory>
@@ -17,23 +17,30 @@
 namespace Drydock
 {
 
-/** What a task took. */
-struct FSweepTime
+/** How far a sweep is. */
+struct FSweepStatus
 {
-	double Seconds = 0.0; // of the whole task, by the clock
-	int Threads = 0;
-	std::string Host;
-	std::string More = {}; // JSON: of a study its study_timing.json; empty: nothing
+	size_t NumTasks = 0;
+	size_t NumDone = 0;
+	size_t NumRunning = 0; // a process is at them now
+	size_t NumFailed = 0;
+	size_t NumMissing = 0;             // neither done, nor running, nor failed
+	double SecondsPerTask = 0.0;       // mean of tasks that are done; of none as it was planned
+	std::optional<double> SecondsLeft; // with as many processes as run now; none: none runs
+	std::vector<std::string> Failures; // "HASH values: first message"
 };
 
 class DRYDOCK_API FSweepFolder
 {
 public:
-	explicit FSweepFolder(std::filesystem::path InPath);
+	explicit FSweepFolder(const std::filesystem::path& InPath)
+		: Path(InPath)
+	{
+	}
 
 	const std::filesystem::path& GetPath() const { return Path; }
 
-	/** Writes the plan in place of the one before; results stay. Throws FError (exit code 2 or 3) as FOutputFolder. */
+	/** In place of the plan before; results stay. Throws FError (exit code 2 or 3) as FOutputFolder. */
 	void WritePlan(const FSweepPlan& Plan) const;
 	/** Throws FError (DD1141, exit code 2) where there is none, or one that is damaged. */
 	FSweepPlan ReadPlan() const;
@@ -41,35 +48,42 @@ public:
 	std::filesystem::path GetResult(const FSweepTask& Task) const;
 	/** Whether the result is there. It was complete when it was put there. */
 	bool HasResult(const FSweepTask& Task) const;
-	/** What is wrong with a result that is there: "final.png is empty"; empty: all is as it was written. */
-	std::string FindFault(const FSweepTask& Task) const;
+	/** Whether it is there as it was written. */
+	bool HasGoodResult(const FSweepTask& Task) const;
 	/** Removes what drydock wrote of it. Throws FError (exit code 2) where there is more. */
 	void RemoveResult(const FSweepTask& Task) const;
 
-	void WriteTime(const FSweepTask& Task, const FSweepTime& Time) const;
-	std::optional<FSweepTime> ReadTime(const FSweepTask& Task) const;
+	/** What a task took. Of a study also its study_timing.json. */
+	void WriteTime(const FSweepTask& Task, double Seconds, const std::string& StudyTiming) const;
+	std::optional<double> ReadSeconds(const FSweepTask& Task) const;
 
 	/** Writes down why a task failed. */
 	void WriteFailure(const FSweepTask& Task, const std::vector<FDiagnostic>& Messages) const;
-	/** The messages; nothing where it did not fail. */
-	std::optional<std::vector<FDiagnostic>> ReadFailure(const FSweepTask& Task) const;
+	/** The messages, a line each; nothing where it did not fail. */
+	std::optional<std::string> ReadFailure(const FSweepTask& Task) const;
 	void RemoveFailure(const FSweepTask& Task) const;
 
-	/** Keeps other processes from the task, on this machine and on others that see the folder. Null: one is at it. */
+	/** Keeps other processes from the task, on all machines that see the folder. Null: one is at it. */
 	std::unique_ptr<FFolderLock> TryLock(const FSweepTask& Task) const;
-	/** Hashes of tasks that a process is at. */
-	std::vector<std::string> FindRunning() const;
-	/** Whether a process began the task and was ended in it. */
+	/** Whether a process is at the task. */
+	bool IsRunning(const FSweepTask& Task) const;
+	/** Whether a process was ended in the midst of it. */
 	bool WasAbandoned(const FSweepTask& Task) const;
 
+	size_t CountDone(const FSweepPlan& Plan) const;
+	FSweepStatus FindStatus(const FSweepPlan& Plan) const;
+
 private:
+	std::filesystem::path GetRunning(const FSweepTask& Task) const { return Path / "running" / Task.Hash; }
+	std::filesystem::path GetTime(const FSweepTask& Task) const;
+
 	const std::filesystem::path Path;
 };
 
 /** In a result: the list of its files. */
 inline constexpr const char* SweepResultListName = ".drydock.result.files";
 
-/** A line of tasks.jsonl. */
-DRYDOCK_API std::string MakeTaskLine(const FSweepTask& Task);
+/** The object that the text is; nothing where it is not one. */
+std::optional<FJsonValue> ParseSweepJson(const std::string& Text);
 
 } // namespace Drydock

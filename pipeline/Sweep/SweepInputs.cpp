@@ -2,13 +2,12 @@
 #include "Sweep/SweepInputs.h"
 
 #include "Budget/StudyRequest.h"
+#include "Config/FrameSequence.h"
 #include "ContentHash.h"
-#include "RangeTools.h"
 #include "Run/RunFiles.h"
 #include "Run/RunSetup.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fingerprint.h"
-#include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -19,135 +18,109 @@ namespace Drydock
 namespace
 {
 
-/** Files that FindSequenceInputs leaves out: those of overlays, and what plugins read beside themselves. Files that are
- * not there are left out: the run reports them. */
-void AddFurtherFiles(const FRunOptions& Options, const FConfig& Config, FRunInputs& Inputs)
+bool NamesFile(const std::pair<std::string, std::string>& One)
+{
+	return One.first == "scene" || One.first == "plugin" || One.first == "overlay";
+}
+
+/** Files that FindSequenceInputs leaves out: those of overlays, and what plugins read beside themselves. */
+void AddFurtherFiles(const FRunOptions& Options, FRunInputs& Inputs)
 {
 	namespace Files = std::filesystem;
 	FWatchedFiles Shaders;
 	Shaders.AddShaders(); // which count already
 	const std::vector<std::string> Known = Shaders.GetPaths();
-	const Files::path Folder = Files::absolute(Config.File).parent_path();
 	for (const std::string& Path : FindRunFiles(Options).GetPaths())
 	{
-		const std::string Name =
-			"file " + Files::absolute(Path).lexically_normal().lexically_relative(Folder).generic_string();
 		std::error_code Ignored;
-		if (!std::ranges::binary_search(Known, Path) && Path != Options.ConfigFile && !Inputs.count(Name) &&
+		if (!std::ranges::binary_search(Known, Path) && Path != Options.ConfigFile &&
 			Files::is_regular_file(Path, Ignored))
 		{
-			Inputs[Name] = FingerprintFile(Path);
+			Inputs["read " + Files::path(Path).filename().string()] = FingerprintFile(Path);
 		}
 	}
 }
 
 } // namespace
 
-std::string NameTaskFiles(const FSweepTask& Task)
+std::string FSweepInputs::NameFiles(const FSweepTask& Task)
 {
 	std::string Text;
-	for (const auto& [Name, Value] : Task.Set)
+	for (const auto& One : Task.Set)
 	{
-		if (Name == "scene" || Name == "plugin" || Name == "overlay")
-		{
-			Text += (Text.empty() ? "" : ", ") + Name + " " + Value;
-		}
+		Text += NamesFile(One) ? (Text.empty() ? "" : ", ") + One.first + " " + One.second : "";
 	}
 	return Text;
 }
 
-FSweepInputs::FSweepInputs(const FSweepPlan& InPlan)
-	: Plan(InPlan)
+const FSweepInputs::FKnown& FSweepInputs::Find(const FSweepTask& Task)
 {
-}
-
-FSweepInputs::FKnown& FSweepInputs::Find(const FSweepTask& Task)
-{
-	const std::string Key = NameTaskFiles(Task);
-	const auto Found = Known.find(Key);
-	if (Found != Known.end())
+	const std::string Key = NameFiles(Task);
+	if (const auto Found = Known.find(Key); Found != Known.end())
 	{
 		return Found->second;
 	}
-	FSweepTask Bare;
-	std::ranges::copy_if(Task.Set, std::back_inserter(Bare.Set), [](const auto& One)
-		{ return One.first == "scene" || One.first == "plugin" || One.first == "overlay"; });
-	const FRunOptions Options = MakeTaskOptions(Plan, Bare);
-	FKnown Made;
+	FSweepSet Set;
+	std::ranges::copy_if(Task.Set, std::back_inserter(Set), NamesFile);
+	const FRunOptions Options = MakeTaskOptions(Plan, Set);
+	const bool bRun = Plan.Kind == "run";
+	const FRunSetup Setup(Options, bRun ? ESceneNeed::Required : ESceneNeed::IfNamed);
+	FKnown Made{Setup.Config, FindSequenceInputs(Options, Setup.Config), {}};
+	AddFurtherFiles(Options, Made.Inputs);
+	const FConfigScene& Scene = Made.Config.Scene;
+	if (!Scene.File.Value.empty() && (!bRun || Scene.Sequence.empty())) // else frames count for themselves
 	{
-		const bool bRun = Plan.Task == ESweepTask::Run;
-		const FRunSetup Setup(Options, bRun ? ESceneNeed::Required : ESceneNeed::IfNamed);
-		Made.Config = Setup.Config;
-		Made.Inputs = FindSequenceInputs(Options, Made.Config); // while the plugins' ini files are known
-		AddFurtherFiles(Options, Made.Config, Made.Inputs);
+		Made.Inputs["scene"] = FingerprintFile(Made.Config.Resolve(Scene.File.Value));
+	}
+	if (Plan.Kind != "study") // which depends on the budget, too
+	{
 		Made.Inputs["config"] = GetStudyFingerprint(GetConfigText(Options)); // whose sweep may grow
-		const std::string& Scene = Made.Config.Scene.File.Value;
-		if (!Scene.empty() && (!bRun || Made.Config.Scene.Sequence.empty())) // else frames count for themselves
-		{
-			Made.Inputs["scene"] = FingerprintFile(Made.Config.Resolve(Scene));
-		}
 	}
 	Made.Inputs.erase("path");
 	Made.Inputs.erase("options");
-	for (const auto& [Name, Value] : Made.Inputs)
+	for (const FSequenceFrame& Frame :
+		Scene.Sequence.empty() ? std::vector<FSequenceFrame>() : ChooseSequenceFrames(Made.Config, "all", {}))
 	{
-		Made.Text += Name + "\n" + Value + "\n";
-	}
-	if (!Made.Config.Scene.Sequence.empty())
-	{
-		for (const FSequenceFrame& Frame : ChooseSequenceFrames(Made.Config, "all", {}))
-		{
-			Made.Frames[Frame.Number] = Frame.Path;
-		}
+		Made.Frames[Frame.Number] = Frame.Path;
 	}
 	return Known.emplace(Key, std::move(Made)).first->second;
-}
-
-const std::string& FSweepInputs::FindFile(const std::string& Path)
-{
-	const auto Found = FileFingerprints.find(Path);
-	return Found != FileFingerprints.end() ? Found->second
-										   : FileFingerprints.emplace(Path, FingerprintFile(Path)).first->second;
-}
-
-const FConfig& FSweepInputs::GetConfig(const FSweepTask& Task)
-{
-	return Find(Task).Config;
 }
 
 std::string FSweepInputs::Hash(const FSweepTask& Task)
 {
 	constexpr size_t NumDigits = 32;
-	constexpr const char* Format = "drydock sweep 1"; // of results
-	const FKnown& Inputs = Find(Task);
+	const FKnown& Of = Find(Task);
 	FContentHash Hash;
-	for (const std::string& Piece : {std::string(Format), Inputs.Text,
-			 GetSweepTaskNames()[static_cast<size_t>(Plan.Task)], Plan.Pass, std::string(Plan.bExr ? "exr" : ""),
-			 std::string(Plan.bMeasure ? "measure" : ""), Task.Frames, Task.LeadFrames})
+	for (const std::string& Piece : {std::string("drydock sweep 1"), Plan.Kind, Plan.Pass, Task.Frames, Task.LeadFrames,
+			 std::string(Plan.bExr ? "exr" : ""), std::string(Plan.bMeasure ? "measure" : "")})
 	{
 		Hash.Add(Piece);
 	}
+	for (const auto& [Name, Value] : Of.Inputs)
+	{
+		Hash.Add(Name);
+		Hash.Add(Value);
+	}
 	for (const auto& [Name, Value] : Task.Set)
 	{
-		if (Name != "frames")
-		{
-			Hash.Add(Name);
-			Hash.Add(Value);
-		}
+		Hash.Add(Name == "frames" ? "" : Name);
+		Hash.Add(Name == "frames" ? "" : Value);
 	}
 	for (const std::string& List : {Task.LeadFrames, Task.Frames})
 	{
 		for (const int Frame : ListTaskFrames(List))
 		{
-			const auto Found = Inputs.Frames.find(Frame);
-			if (Found == Inputs.Frames.end())
+			const auto Path = Of.Frames.find(Frame);
+			if (Path == Of.Frames.end())
 			{
 				throw FError({.Code = ErrorFileMissing,
 								 .Message = "there is no frame " + std::to_string(Frame) + " any more",
-								 .File = Inputs.Config.Resolve(Inputs.Config.Scene.Sequence)},
+								 .File = Of.Config.Resolve(Of.Config.Scene.Sequence)},
 					ExitFiles);
 			}
-			Hash.Add(FindFile(Found->second));
+			std::string& Fingerprint = FrameFingerprints[Path->second];
+			Fingerprint = Fingerprint.empty() ? FingerprintFile(Path->second) : Fingerprint;
+			Hash.Add(Fingerprint);
 		}
 	}
 	return Hash.Finish().substr(0, NumDigits);

@@ -1,20 +1,23 @@
-// Expands a sweep: combines the values of its axes, cuts frames into pieces, checks what each value sets.
+// Combines the values of a sweep's axes, leaves out what is excluded, and cuts frames into pieces.
 #include "Sweep/SweepPlan.h"
 
 #include "Budget/StudyRequest.h"
+#include "Config/ConfigFields.h"
 #include "Config/FrameList.h"
 #include "Config/FrameSequence.h"
+#include "Math/ToInteger.h"
 #include "RangeTools.h"
 #include "Run/RunSetup.h"
 #include "Sweep/SweepErrors.h"
 #include "Sweep/SweepInputs.h"
-#include "Text/ConfigErrors.h"
 #include "Text/JsonWriter.h"
+#include "Text/TextFormat.h"
 #include "TextTools.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <tuple>
 
 namespace Drydock
 {
@@ -22,254 +25,334 @@ namespace Drydock
 namespace
 {
 
-namespace Files = std::filesystem;
+const std::vector<std::string> SweepNames = {"scene", "frames", "engine", "plugin", "overlay", "resolution"};
 
-constexpr const char* PieceAxis = "piece";
-
-std::string GetAbsolute(const std::string& Path)
+/** A chosen value of an axis. */
+struct FSweepChoice
 {
-	return Files::absolute(Path).lexically_normal().string();
-}
-
-FSweepPlan MakePlan(const FSweep& Sweep)
-{
-	FSweepPlan Plan;
-	Plan.Config = GetAbsolute(Sweep.Config);
-	Plan.Task = Sweep.Task;
-	Plan.Pass = Sweep.Pass;
-	Plan.bExr = Sweep.bExr;
-	Plan.bMeasure = Sweep.bMeasure && Sweep.Task == ESweepTask::Run;
-	for (const FStudyAxis& Axis : Sweep.Axes)
-	{
-		Plan.Axes.push_back({Axis.Name, ToVector<std::string>(Axis.Values, &FStudyValue::Label)});
-	}
-	for (const FStudyAssignment& One : Sweep.Against)
-	{
-		Plan.Against.push_back({One.Name, One.Value});
-	}
-	return Plan;
-}
-
-/** One combination of the axes' values: the index of a value for each axis. */
-using FCombination = std::vector<size_t>;
-
-std::vector<FCombination> Combine(const FSweep& Sweep)
-{
-	std::vector<FCombination> All(1);
-	for (const FStudyAxis& Axis : Sweep.Axes)
-	{
-		std::vector<FCombination> Longer;
-		for (const FCombination& Shorter : All)
-		{
-			for (size_t Value = 0; Value < Axis.Values.size(); ++Value)
-			{
-				Longer.push_back(Shorter);
-				Longer.back().push_back(Value);
-			}
-		}
-		All = std::move(Longer);
-	}
-	return All;
-}
-
-/** Whether it has one of the values that an entry of "exclude" names: an axis' label, or of a list what an entry sets.
- */
-bool HasValue(const FSweep& Sweep, const FCombination& Combination, const FStudyAssignment& Chosen)
-{
-	for (size_t Axis = 0; Axis < Sweep.Axes.size(); ++Axis)
-	{
-		const FStudyValue& Value = Sweep.Axes[Axis].Values[Combination[Axis]];
-		const auto Sets = [&](const FStudyAssignment& One)
-		{
-			return One.Name == Chosen.Name && One.Value == Chosen.Value;
-		};
-		if (Sweep.bList ? std::ranges::any_of(Value.Set, Sets)
-						: Sweep.Axes[Axis].Name == Chosen.Name && Value.Label == Chosen.Value)
-		{
-			return true;
-		}
-	}
-	return false;
-}
-
-/** Leaves out what "exclude" names, and says which entry leaves nothing out. */
-void Exclude(const FSweep& Sweep, std::vector<FCombination>& All, std::vector<FDiagnostic>& Diagnostics)
-{
-	for (const std::vector<FStudyAssignment>& Chosen : Sweep.Exclude)
-	{
-		const size_t NumLeft = std::erase_if(All, [&](const FCombination& Combination)
-			{ return std::ranges::all_of(
-				  Chosen, [&](const FStudyAssignment& One) { return HasValue(Sweep, Combination, One); }); });
-		if (NumLeft == 0)
-		{
-			const FConfigPlace& Place = Chosen[0].Place;
-			Diagnostics.push_back({ESeverity::Warning, WarnSweepAxis,
-				"this entry of \"exclude\" leaves nothing out: no task has these values together", Sweep.Config, Place.Line,
-				Place.Column, Place.Pointer});
-		}
-	}
-}
-
-/** Runs Check; what it throws, and what it returns beside Known, is about Place of the sweep from then on. */
-template<typename TCheck>
-std::vector<FDiagnostic> FindAt(
-	const FSweep& Sweep, const FConfigPlace& Place, const std::vector<FDiagnostic>& Known, const TCheck& Check)
-{
-	std::vector<FDiagnostic> Found;
-	try
-	{
-		Found = Check();
-	}
-	catch (const FError& Error)
-	{
-		Found = Error.GetDiagnostics();
-	}
-	std::erase_if(Found, [&](const FDiagnostic& One)
-		{ return std::ranges::any_of(Known, [&](const FDiagnostic& Other) { return Other.Message == One.Message; }); });
-	for (FDiagnostic& One : Found)
-	{
-		One.File = Sweep.Config;
-		One.Line = Place.Line;
-		One.Column = Place.Column;
-		One.Where = Place.Pointer;
-	}
-	return Found;
-}
-
-void Say(const FSweep& Sweep, const FStudyAxis& Axis, const std::string& Why, std::vector<FDiagnostic>& Diagnostics)
-{
-	Diagnostics.push_back({ESeverity::Warning, WarnSweepAxis, "the axis \"" + Axis.Name + "\" changes nothing: " + Why,
-		Sweep.Config, Axis.Place.Line, Axis.Place.Column, Axis.Place.Pointer});
-}
-
-/** Checks the values of each axis with the config. Values of settings and variables were checked one by one: their first
- * and last tell whether they act. */
-void CheckAxes(const FSweep& Sweep, const FSweepPlan& Plan, std::vector<FDiagnostic>& Diagnostics)
-{
-	const auto SetUp = [&](const std::vector<FStudyAssignment>& Set)
-	{
-		FSweepTask Task;
-		for (const FStudyAssignment& One : Set)
-		{
-			Task.Set.push_back({One.Name, One.Value});
-		}
-		return FRunSetup(MakeTaskOptions(Plan, Task), ESceneNeed::IfNamed).Diagnostics;
-	};
-	const std::vector<FDiagnostic> Known = SetUp({});
-	for (const FStudyAxis& Axis : Sweep.Axes)
-	{
-		if (Axis.Values.size() == 1)
-		{
-			Say(Sweep, Axis, "it has one value", Diagnostics);
-		}
-		std::set<std::string> Labels;
-		bool bActs = false;
-		std::string Why;
-		for (size_t Index = 0; Index < Axis.Values.size(); ++Index)
-		{
-			const FStudyValue& Value = Axis.Values[Index];
-			const bool bFiles = std::ranges::any_of(Value.Set, [](const FStudyAssignment& One)
-				{ return Contains(GetSweepNames(), One.Name) && One.Name != "frames"; });
-			if (!Labels.insert(Value.Label).second)
-			{
-				Say(Sweep, Axis, "it has the value \"" + Value.Label + "\" twice", Diagnostics);
-			}
-			if (!bFiles && Index != 0 && Index + 1 != Axis.Values.size())
-			{
-				continue;
-			}
-			const FConfigPlace Place = Value.Set.empty() ? Axis.Place : Value.Set[0].Place;
-			std::string Inert;
-			for (const FDiagnostic& One : FindAt(Sweep, Place, Known, [&] { return SetUp(Value.Set); }))
-			{
-				const bool bInert = One.Code == WarnIneffectiveValue || One.Code == WarnNotBuilt;
-				Inert = bInert ? One.Message : Inert;
-				if (One.Severity == ESeverity::Error)
-				{
-					Diagnostics.push_back(One);
-				}
-			}
-			bActs = bActs || Inert.empty();
-			Why = Inert.empty() ? Why : Inert;
-		}
-		if (!bActs)
-		{
-			Say(Sweep, Axis, Why, Diagnostics);
-		}
-	}
-}
-
-/** Numbers of frames that a task without pieces renders, and those before them. */
-struct FTaskFrames
-{
-	std::vector<int> Lead;
-	std::vector<int> Frames; // empty: the scene is one frame
+	size_t Axis = 0;
+	std::string Label;
 };
 
-FTaskFrames ChooseTaskFrames(const FSweep& Sweep, const FConfig& Config, const std::string& Own)
+/** What a task renders; of a scene of one frame nothing. */
+struct FSweepFrames
 {
-	const std::string& List = !Own.empty() ? Own : !Sweep.Frames.empty() ? Sweep.Frames : Config.Scene.Frames.Value;
-	FTaskFrames Chosen;
-	if (Config.Scene.Sequence.empty() && List.empty())
-	{
-		return Chosen;
-	}
-	if (List.empty())
-	{
-		Chosen.Frames = {Config.Scene.Frame.value_or(0)};
-		return Chosen;
-	}
-	const std::vector<FSequenceFrame> Frames = ChooseSequenceFrames(Config, List, Sweep.FramesPlace);
-	const std::vector<FSequenceFrame> Before = FindFramesBefore(Config, Frames);
-	Chosen.Frames = ToVector<int>(Frames, &FSequenceFrame::Number);
-	Chosen.Lead = ToVector<int>(Before, &FSequenceFrame::Number);
-	Chosen.Lead.erase(
-		Chosen.Lead.begin(), Chosen.Lead.end() - std::min<std::ptrdiff_t>(Sweep.Lead, std::ssize(Chosen.Lead)));
-	return Chosen;
-}
+	std::vector<int> Lead;
+	std::vector<int> Frames;
+};
 
-/** Appends the task, or its pieces and, where it is to be checked, the unsplit cut. */
-void AddTask(const FSweep& Sweep, const FTaskFrames& Chosen, const FSweepTask& Whole, bool bCheck, FSweepPlan& Plan)
+class FSweepPlanner
 {
-	FSweepTask Task = Whole;
-	Task.Frames = FormatFrameList(Chosen.Frames);
-	Task.LeadFrames = FormatFrameList(Chosen.Lead);
-	if (!Sweep.Split)
+public:
+	explicit FSweepPlanner(const FConfig& InConfig)
+		: Config(InConfig)
+		, Root(InConfig.Sweep)
+		, Messages(InConfig.File, Found)
+		, Axes(ReadAxes(InConfig, InConfig.Sweep, SweepNames, Found))
+		, Inputs(Plan)
 	{
-		Plan.Tasks.push_back(std::move(Task));
-		return;
 	}
-	const auto Part = [&](size_t From, size_t To)
+
+	FSweepPlan MakePlan(std::vector<FDiagnostic>& Remarks)
 	{
-		return FormatFrameList({Chosen.Frames.begin() + static_cast<std::ptrdiff_t>(From),
-			Chosen.Frames.begin() + static_cast<std::ptrdiff_t>(To)});
-	};
-	const size_t Length = static_cast<size_t>(Sweep.Split->NumFrames);
-	const size_t Lead = static_cast<size_t>(Sweep.Split->Lead);
-	const size_t NumFrames = Chosen.Frames.size();
-	for (size_t From = 0; From < std::max<size_t>(NumFrames, 1); From += Length)
-	{
-		FSweepTask Piece = Task;
-		Piece.Frames = Part(From, std::min(From + Length, NumFrames));
-		Piece.LeadFrames = Part(From - std::min(Lead, From), From);
-		Piece.Values.push_back(Piece.Frames);
-		AddUnique(Plan.Axes.back().Values, Piece.Frames);
-		Plan.Tasks.push_back(std::move(Piece));
+		ReadMembers();
+		ThrowMistakes(); // of names and values
+		std::ranges::for_each(Axes, [this](const FStudyAxis& Axis) { CheckAxis(Axis); });
+		ThrowMistakes(); // of values with the config
+		AddTasks();
+		ThrowMistakes(); // of frames
+		std::ranges::for_each(Plan.Tasks, [this](const FSweepTask& Task) { Inputs.Prepare(Task); });
+		std::ranges::for_each(Plan.Tasks, [this](FSweepTask& Task) { Task.Hash = Inputs.Hash(Task); });
+		Plan.Inputs = Inputs.GetInputs();
+		Remarks.insert(Remarks.end(), Found.begin(), Found.end());
+		return Plan;
 	}
-	if (bCheck && NumFrames > Length)
+
+private:
+	void ThrowMistakes()
 	{
-		Task.Values.emplace_back();
-		Task.bUnsplit = true;
-		Plan.Tasks.push_back(std::move(Task));
+		std::ranges::stable_sort(Found, {}, [](const FDiagnostic& One) { return std::tuple(One.Line, One.Column); });
+		if (HasErrors(Found))
+		{
+			throw FError(Found, ExitUsage);
+		}
 	}
+
+	int ReadCount(const FJsonValue& Object, const char* Key, int Least)
+	{
+		constexpr double Most = 1'000'000;
+		const FJsonValue* const Value = Object.Find(Key);
+		const bool bGood = Value != nullptr && Value->Type == EJsonType::Number && Value->Number >= Least &&
+						   Value->Number <= Most && Value->Number == ToInteger<int>(Value->Number);
+		if (Value != nullptr && Value->Type == EJsonType::Number && !bGood)
+		{
+			Messages.Error(ErrorBadValue, *Value,
+				std::string("\"") + Key + "\" must be a whole number, " + std::to_string(Least) + " to 1000000");
+		}
+		return bGood ? ToInteger<int>(Value->Number) : Least;
+	}
+
+	/** All but the axes. */
+	void ReadMembers()
+	{
+		Plan.Config = std::filesystem::absolute(Config.File).lexically_normal().string();
+		const std::string Kind = Root.GetString("task");
+		Plan.Kind = Kind.empty() ? "run" : Kind;
+		Plan.Pass = Root.GetString("pass");
+		Plan.bExr = Contains(Root.GetElements("outputs"), "exr", &FJsonValue::String);
+		ReadBool(Root, "measureEffects", Plan.bMeasure);
+		Lead = ReadCount(Root, "lead", 0);
+		Split = Root.Find("split");
+		PieceLength = Split != nullptr ? ReadCount(*Split, "frames", 1) : 0;
+		PieceLead = Split != nullptr ? ReadCount(*Split, "lead", 0) : 0;
+		if (Root.GetElements("axes").empty())
+		{
+			Messages.Error(ErrorMissingKey, Root, "\"axes\" is missing: a sweep varies at least one thing");
+		}
+		for (const FStudyAxis& Axis : Axes)
+		{
+			Plan.Axes.push_back({Axis.Name, ToVector<std::string>(Axis.Values, &FStudyValue::Label)});
+		}
+		for (const FJsonValue& Value : Root.GetElements("exclude"))
+		{
+			Excluded.push_back({ReadChoices(Value), PlaceOf(Value)});
+		}
+		const FJsonValue* const Against = Root.Find("against");
+		for (const FSweepChoice& One : Against != nullptr ? ReadChoices(*Against) : std::vector<FSweepChoice>())
+		{
+			Plan.Against.push_back({Plan.Axes[One.Axis].Name, One.Label});
+		}
+		for (const char* const Key : {"frames", "lead", "split", "against", "outputs", "measureEffects"})
+		{
+			const FJsonValue* const Value = Root.Find(Key);
+			if (Value != nullptr && Plan.Kind != "run")
+			{
+				Messages.ErrorAtKey(ErrorBadValue, *Value, "a sweep of " + Plan.Kind + " has no \"" + Key + "\"");
+			}
+		}
+		if (Split != nullptr && Root.Find("lead") != nullptr)
+		{
+			Messages.ErrorAtKey(
+				ErrorBadValue, *Root.Find("lead"), "with \"split\" the lead of pieces stands in \"split\"");
+		}
+	}
+
+	/** {axis: value}; what no axis has is reported. */
+	std::vector<FSweepChoice> ReadChoices(const FJsonValue& Object)
+	{
+		std::vector<FSweepChoice> Choices;
+		for (const auto& [Name, Value] : Object.Members)
+		{
+			const auto Names = ToVector<std::string>(Axes, &FStudyAxis::Name);
+			const auto Axis = static_cast<size_t>(std::ranges::find(Names, Name) - Names.begin());
+			const std::string Label = Value.Type == EJsonType::Number ? NumberText(Value.Number)
+									  : Value.Type == EJsonType::Bool ? (Value.Bool ? "true" : "false")
+																	  : Value.String;
+			if (Axis == Names.size())
+			{
+				Messages.ErrorAtKey(ErrorUnknownValue, Value,
+					"there is no axis \"" + Name + "\": " + JoinText(Names) + Messages.Suggest(Name, Names));
+			}
+			else if (!Contains(Plan.Axes[Axis].Values, Label))
+			{
+				Messages.Error(ErrorUnknownValue, Value,
+					"the axis \"" + Name + "\" has no value \"" + Label + "\": " +
+						ListSome(Plan.Axes[Axis].Values, 12) + Messages.Suggest(Label, Plan.Axes[Axis].Values));
+			}
+			else
+			{
+				Choices.push_back({Axis, Label});
+			}
+		}
+		return Choices;
+	}
+
+	/** Calls Check; what it throws is about that place of the sweep. */
+	template<typename TCheck>
+	void CallAt(const FConfigPlace& Place, const TCheck& Check)
+	{
+		try
+		{
+			Check();
+		}
+		catch (const FError& Error)
+		{
+			for (const FDiagnostic& One : Error.GetDiagnostics())
+			{
+				if (One.Severity == ESeverity::Error)
+				{
+					Messages.Error(One.Code, Place, One.Message);
+				}
+			}
+		}
+	}
+
+	/** Values were read one by one; here they meet the config and its files. */
+	void CheckAxis(const FStudyAxis& Axis)
+	{
+		std::set<std::string> Labels;
+		if (Axis.Values.size() == 1)
+		{
+			Messages.Warn(
+				WarnSweepAxis, Axis.Place, "the axis \"" + Axis.Name + "\" changes nothing: it has one value");
+		}
+		if (std::ranges::count(Axes, Axis.Name, &FStudyAxis::Name) > 1)
+		{
+			Messages.Error(ErrorBadValue, Axis.Place, "there are two axes \"" + Axis.Name + "\"");
+		}
+		for (const FStudyValue& Value : Axis.Values)
+		{
+			if (!Labels.insert(Value.Label).second)
+			{
+				Messages.Error(ErrorBadValue, Axis.Place,
+					"the axis \"" + Axis.Name + "\" has the value \"" + Value.Label + "\" twice");
+			}
+			for (const FStudyAssignment& One : Value.Set)
+			{
+				const std::optional<double> Percent = ParseAll<double>(One.Value);
+				if (One.Name == "resolution" && !(Percent && *Percent > 0.0 && *Percent <= 400.0))
+				{
+					Messages.Error(ErrorBadValue, One.Place, "resolution must be a percentage, above 0 and up to 400");
+				}
+				else if (Contains(SweepNames, One.Name) && One.Name != "frames")
+				{
+					CallAt(One.Place,
+						[&] {
+							FRunSetup(MakeTaskOptions(Plan, {{One.Name, One.Value}}), ESceneNeed::IfNamed);
+						});
+				}
+			}
+		}
+	}
+
+	/** Every combination: the index of a value for each axis, the last axis the fastest. */
+	std::vector<std::vector<size_t>> Combine()
+	{
+		std::vector<std::vector<size_t>> All(1);
+		for (const FStudyAxis& Axis : Axes)
+		{
+			std::vector<std::vector<size_t>> Longer;
+			for (const std::vector<size_t>& Shorter : All)
+			{
+				for (size_t Value = 0; Value < Axis.Values.size(); ++Value)
+				{
+					Longer.push_back(Shorter);
+					Longer.back().push_back(Value);
+				}
+			}
+			All = std::move(Longer);
+		}
+		for (const auto& [Choices, Place] : Excluded)
+		{
+			const auto IsOne = [&, &Chosen = Choices](const std::vector<size_t>& Combination)
+			{
+				return !Chosen.empty() &&
+					   std::ranges::all_of(Chosen, [&](const FSweepChoice& One)
+						   { return Plan.Axes[One.Axis].Values[Combination[One.Axis]] == One.Label; });
+			};
+			if (std::erase_if(All, IsOne) == 0)
+			{
+				Messages.Warn(WarnSweepAxis, Place, "this leaves nothing out: no task is left that has these values");
+			}
+		}
+		return All;
+	}
+
+	void AddTasks()
+	{
+		const std::vector<std::vector<size_t>> All = Combine();
+		if (Split != nullptr)
+		{
+			Plan.Axes.push_back({"piece", {}});
+		}
+		const FJsonValue* const Given = Root.Find("frames");
+		for (const std::vector<size_t>& Combination : All)
+		{
+			FSweepTask Task;
+			std::string List = Given != nullptr ? Given->String : "";
+			FConfigPlace Place = Given != nullptr ? PlaceOf(*Given) : PlaceOf(Root);
+			for (size_t Axis = 0; Axis < Combination.size(); ++Axis)
+			{
+				const FStudyValue& Value = Axes[Axis].Values[Combination[Axis]];
+				Task.Values.push_back(Value.Label);
+				for (const FStudyAssignment& One : Value.Set)
+				{
+					Task.Set.push_back({One.Name, One.Value});
+					List = One.Name == "frames" ? One.Value : List;
+					Place = One.Name == "frames" ? One.Place : Place;
+				}
+			}
+			CallAt(Place, [&] { AddTask(Task, ChooseFrames(Task, List)); });
+		}
+	}
+
+	FSweepFrames ChooseFrames(const FSweepTask& Task, const std::string& Given)
+	{
+		const FConfig& OfTask = Inputs.Prepare(Task);
+		const std::string& List = Given.empty() ? OfTask.Scene.Frames.Value : Given;
+		if (Plan.Kind != "run" || (OfTask.Scene.Sequence.empty() && List.empty()))
+		{
+			return {};
+		}
+		if (List.empty())
+		{
+			return {{}, {OfTask.Scene.Frame.value_or(0)}};
+		}
+		const std::vector<FSequenceFrame> Frames = ChooseSequenceFrames(OfTask, List, {});
+		std::vector<FSequenceFrame> Before = FindFramesBefore(OfTask, Frames);
+		Before.erase(Before.begin(), Before.end() - std::min<std::ptrdiff_t>(Lead, std::ssize(Before)));
+		return {ToVector<int>(Before, &FSequenceFrame::Number), ToVector<int>(Frames, &FSequenceFrame::Number)};
+	}
+
+	/** The task, or its pieces; behind the pieces of the first cut that cut unsplit. */
+	void AddTask(FSweepTask Task, const FSweepFrames& Chosen)
+	{
+		Task.Frames = FormatFrameList(Chosen.Frames);
+		Task.LeadFrames = FormatFrameList(Chosen.Lead);
+		const bool bFirst = Plan.Tasks.empty();
+		if (PieceLength > 0 && Chosen.Frames.empty())
+		{
+			throw FError({.Code = ErrorBadValue, .Message = "\"split\" needs the frames of a sequence"}, ExitUsage);
+		}
+		for (size_t From = 0; PieceLength > 0 && From < Chosen.Frames.size(); From += static_cast<size_t>(PieceLength))
+		{
+			const auto At = Chosen.Frames.begin() + static_cast<std::ptrdiff_t>(From);
+			FSweepTask Piece = Task;
+			Piece.Frames = FormatFrameList({At, At + std::min<std::ptrdiff_t>(PieceLength, Chosen.Frames.end() - At)});
+			Piece.LeadFrames =
+				FormatFrameList({At - std::min<std::ptrdiff_t>(PieceLead, At - Chosen.Frames.begin()), At});
+			Piece.Values.push_back(Piece.Frames);
+			AddUnique(Plan.Axes.back().Values, Piece.Frames);
+			Plan.Tasks.push_back(std::move(Piece));
+		}
+		if (PieceLength == 0 || bFirst)
+		{
+			Task.bUnsplit = PieceLength > 0;
+			Task.Values.resize(Plan.Axes.size());
+			Plan.Tasks.push_back(std::move(Task));
+		}
+	}
+
+	const FConfig& Config;
+	const FJsonValue& Root;
+	std::vector<FDiagnostic> Found;
+	FConfigMessages Messages;
+	const std::vector<FStudyAxis> Axes;
+	std::vector<std::pair<std::vector<FSweepChoice>, FConfigPlace>> Excluded;
+	const FJsonValue* Split = nullptr;
+	int Lead = 0;
+	int PieceLength = 0; // 0: frames stay together
+	int PieceLead = 0;
+	FSweepPlan Plan;
+	FSweepInputs Inputs;
+};
+
+size_t CountFrames(const std::string& List)
+{
+	return List.empty() ? 0 : ListTaskFrames(List).size();
 }
 
 } // namespace
-
-size_t CountRendered(const FSweepTask& Task)
-{
-	return std::max<size_t>(1, ListTaskFrames(Task.Frames).size() + ListTaskFrames(Task.LeadFrames).size());
-}
 
 std::vector<int> ListTaskFrames(const std::string& List)
 {
@@ -280,36 +363,35 @@ std::vector<int> ListTaskFrames(const std::string& List)
 
 double FSweepPlan::GetSeconds() const
 {
-	double Seconds = 0.0;
+	size_t NumFrames = 0;
 	for (const FSweepTask& Each : Tasks)
 	{
-		Seconds += Cost.Seconds * static_cast<double>(CountRendered(Each));
+		NumFrames += std::max<size_t>(1, CountFrames(Each.Frames) + CountFrames(Each.LeadFrames));
 	}
-	return Seconds;
+	return SecondsPerFrame * static_cast<double>(NumFrames);
 }
 
 uint64_t FSweepPlan::GetBytes() const
 {
-	uint64_t Bytes = 0;
+	uint64_t NumFrames = 0;
 	for (const FSweepTask& Each : Tasks)
 	{
-		Bytes += Cost.Bytes * std::max<size_t>(1, ListTaskFrames(Each.Frames).size());
+		NumFrames += std::max<size_t>(1, CountFrames(Each.Frames));
 	}
-	return Bytes;
+	return BytesPerFrame * NumFrames;
 }
 
-FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepTask& Task)
+FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepSet& Set)
 {
 	const auto Resolve = [&](const std::string& Path)
 	{
-		return (Files::path(Plan.Config).parent_path() / Path).lexically_normal().string();
+		return (std::filesystem::path(Plan.Config).parent_path() / Path).lexically_normal().string();
 	};
 	FRunOptions Options;
 	Options.ConfigFile = Plan.Config;
-	Options.bMeasureEffects = Plan.bMeasure;
-	Options.bUseBudget = false; // by which the measured times of a study would choose
-	std::vector<FStudyAssignment> Others;
-	for (const auto& [Name, Value] : Task.Set)
+	Options.bMeasureEffects = Plan.bMeasure && Plan.Kind == "run";
+	Options.bUseBudget = false; // by which measured times would choose
+	for (const auto& [Name, Value] : Set)
 	{
 		if (Name == "scene")
 		{
@@ -319,13 +401,9 @@ FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepTask& Task)
 		{
 			Options.Engine = Value;
 		}
-		else if (Name == "plugin")
+		else if (Name == "plugin" || Name == "overlay")
 		{
-			Options.Plugins.push_back(Resolve(Value));
-		}
-		else if (Name == "overlay")
-		{
-			Options.Overlays.push_back(Resolve(Value));
+			(Name == "plugin" ? Options.Plugins : Options.Overlays).push_back(Resolve(Value));
 		}
 		else if (Name == "resolution")
 		{
@@ -333,103 +411,48 @@ FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepTask& Task)
 		}
 		else if (Name != "frames")
 		{
-			Others.push_back({Name, Value, {}});
+			ApplyToRun({{Name, Value, {}}}, Options);
 		}
 	}
-	ApplyToRun(Others, Options);
 	return Options;
 }
 
-std::string GetTaskValue(const FSweepTask& Task, const std::string& Name)
+std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task, int Without)
 {
-	std::string Value;
-	for (const auto& [Each, Text] : Task.Set)
-	{
-		Value = Each == Name ? Text : Value;
-	}
-	return Value;
-}
-
-std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task)
-{
-	std::string Text;
+	std::vector<std::string> Words;
 	for (size_t Axis = 0; Axis < Plan.Axes.size() && Axis < Task.Values.size(); ++Axis)
 	{
 		const std::string& Name = Plan.Axes[Axis].Name;
-		const std::string& Value = Task.Values[Axis];
-		const bool bPlain = GetTaskValue(Task, Name) == Value || Name == PieceAxis;
-		Text += (Text.empty() ? "" : ", ") + (Value.empty() ? "unsplit" : bPlain ? Name + " " + Value : Value);
+		const bool bNamed = Name == "piece" || Contains(Task.Set, std::pair(Name, Task.Values[Axis]));
+		if (static_cast<int>(Axis) != Without)
+		{
+			Words.push_back(Task.Values[Axis].empty() ? "unsplit" : (bNamed ? Name + " " : "") + Task.Values[Axis]);
+		}
 	}
-	return Text;
+	return JoinText(Words);
 }
 
-size_t CountCombinations(const FSweep& Sweep)
+size_t CountCombinations(const FConfig& Config)
 {
 	constexpr size_t Most = 1'000'000'000;
 	size_t Count = 1;
-	for (const FStudyAxis& Axis : Sweep.Axes)
+	for (const FJsonValue& Axis : Config.Sweep.GetElements("axes"))
 	{
-		Count = std::min(Count * std::max<size_t>(1, Axis.Values.size()), Most);
+		Count = std::min(Most, Count * std::max<size_t>(1, Axis.GetElements("values").size()));
 	}
 	return Count;
 }
 
-FSweepPlan PlanSweep(const FSweep& Sweep, std::vector<FDiagnostic>& Diagnostics)
+FSweepPlan PlanSweep(const FConfig& Config, std::vector<FDiagnostic>& Remarks)
 {
-	FSweepPlan Plan = MakePlan(Sweep);
-	std::vector<FDiagnostic> Found;
-	CheckAxes(Sweep, Plan, Found);
-	if (HasErrors(Found))
+	if (Config.Sweep.Type != EJsonType::Object)
 	{
-		throw FError(Found, ExitUsage);
+		throw FError({.Code = ErrorMissingKey,
+						 .Message = "the config has no \"sweep\": docs/sweeps.md tells what it holds",
+						 .File = Config.File},
+			ExitUsage);
 	}
-	std::vector<FCombination> All = Combine(Sweep);
-	Exclude(Sweep, All, Found);
-	if (Sweep.Split)
-	{
-		Plan.Axes.push_back({PieceAxis, {}});
-	}
-	FSweepInputs Inputs(Plan);
-	for (const FCombination& Combination : All)
-	{
-		FSweepTask Task;
-		FConfigPlace Place = Sweep.FramesPlace;
-		for (size_t Axis = 0; Axis < Combination.size(); ++Axis)
-		{
-			const FStudyValue& Value = Sweep.Axes[Axis].Values[Combination[Axis]];
-			Task.Values.push_back(Value.Label);
-			for (const FStudyAssignment& One : Value.Set)
-			{
-				Task.Set.push_back({One.Name, One.Value});
-				Place = One.Name == "frames" ? One.Place : Place;
-			}
-		}
-		FTaskFrames Frames;
-		const std::vector<FDiagnostic> Wrong = FindAt(Sweep, Place, Found,
-			[&]
-			{
-				if (Sweep.Task == ESweepTask::Run)
-				{
-					Frames = ChooseTaskFrames(Sweep, Inputs.GetConfig(Task), GetTaskValue(Task, "frames"));
-				}
-				return std::vector<FDiagnostic>();
-			});
-		Found.insert(Found.end(), Wrong.begin(), Wrong.end());
-		const bool bFirst = &Combination == All.data();
-		AddTask(Sweep, Frames, Task, bFirst || (Sweep.Split && Sweep.Split->bCheckAll), Plan);
-	}
-	if (HasErrors(Found))
-	{
-		throw FError(Found, ExitUsage);
-	}
-	std::ranges::for_each(Plan.Tasks, [&](const FSweepTask& Task) { Inputs.Prepare(Task); });
-	for (FSweepTask& Task : Plan.Tasks)
-	{
-		Task.Hash = Inputs.Hash(Task);
-	}
-	Plan.Inputs = Inputs.GetInputs();
-	Diagnostics.insert(Diagnostics.end(), Found.begin(), Found.end());
-	return Plan;
+	return FSweepPlanner(Config).MakePlan(Remarks);
 }
 
 } // namespace Drydock

@@ -1,10 +1,10 @@
-// A sweep expanded into tasks: plain data, which a folder keeps as plan.json and tasks.jsonl.
+// A config's sweep expanded into tasks: plain data, which a folder keeps as plan.json and tasks.jsonl.
 #pragma once
 
 #include "Budget/RunOptions.h"
+#include "Config/Config.h"
 #include "DrydockAPI.h"
 #include "Run/RunInputs.h"
-#include "Sweep/SweepConfig.h"
 
 #include <cstdint>
 #include <map>
@@ -15,68 +15,57 @@
 namespace Drydock
 {
 
+using FSweepSet = std::vector<std::pair<std::string, std::string>>; // names and values
+
 struct FSweepTask
 {
-	std::string Hash; // 32 hexadecimal digits, of all that the result depends on
-	std::vector<std::string> Values; // labels, axis by axis of the plan; "" on the axis "piece": of an unsplit cut
-	std::vector<std::pair<std::string, std::string>> Set; // names and values, the config's patch
-	std::string Frames;     // of a sequence, in order (FrameList.h); empty: the scene's one frame
-	std::string LeadFrames; // rendered before them for their history, and not written; empty: none
-	bool bUnsplit = false;  // a cut in one, which its pieces are compared with
+	std::string Hash;                // 32 hexadecimal digits, of all that the result depends on
+	std::vector<std::string> Values; // labels, axis by axis of the plan; "" on the axis "piece": of the unsplit cut
+	FSweepSet Set;                   // the config's patch
+	std::string Frames;              // of a sequence (FrameList.h); empty: the scene's one frame
+	std::string LeadFrames;          // rendered before them for their history, and not written; empty: none
+	bool bUnsplit = false;           // a whole cut, which its pieces are compared with
 };
 
 struct FSweepAxis
 {
-	std::string Name; // as in the sweep; "piece" of a cut in pieces
+	std::string Name; // as in the config; "piece" where frames are cut into pieces
 	std::vector<std::string> Values;
-};
-
-/** The measured cost of one frame, or of a whole task that is not of frames. */
-struct FSweepCost
-{
-	double Seconds = 0.0; // on one process with all cores
-	uint64_t Bytes = 0;   // of the results
 };
 
 struct FSweepPlan
 {
-	std::string Config; // path, absolute
-	ESweepTask Task = ESweepTask::Run;
-	std::string Pass; // of hazards
-	bool bExr = false;
-	bool bMeasure = true;
+	std::string Config;   // path, absolute
+	std::string Kind;     // of tasks: "run", "study", "hazards"
+	std::string Pass;     // of hazards: pattern; empty: all passes of plugins
+	bool bExr = false;    // results keep final.exr, too
+	bool bMeasure = true; // the figures of effects
 	std::vector<FSweepAxis> Axes;
-	std::vector<std::pair<std::string, std::string>> Against; // names and values
+	FSweepSet Against; // values of some axes: errors are measured against the task that has them
 	std::vector<FSweepTask> Tasks;
-	std::map<std::string, FRunInputs> Inputs; // by the files that a task names (FSweepInputs)
-	FSweepCost Cost;
+	std::map<std::string, FRunInputs> Inputs; // by the files that tasks name (FSweepInputs)
+	double SecondsPerFrame = 0.0;             // measured, on all cores; of a study or hazards: per task
+	uint64_t BytesPerFrame = 0;               // of results
 
-	/** Seconds that all tasks take, one after another. */
-	DRYDOCK_API double GetSeconds() const;
+	DRYDOCK_API double GetSeconds() const; // of all tasks, one after another
 	DRYDOCK_API uint64_t GetBytes() const;
 };
 
-/** Frames that a task renders, those before its first among them. 1 of a task that is not of frames. */
-DRYDOCK_API size_t CountRendered(const FSweepTask& Task);
-
-/** The numbers of a list of frames; empty for an empty one. */
+/** The numbers of a list of frames; none of an empty one. */
 DRYDOCK_API std::vector<int> ListTaskFrames(const std::string& List);
 
 /** Options of a run that does what the task says. */
-DRYDOCK_API FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepTask& Task);
+DRYDOCK_API FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepSet& Set);
 
-/** The value that a task sets a name to; empty: it does not. */
-DRYDOCK_API std::string GetTaskValue(const FSweepTask& Task, const std::string& Name);
+/** "BloomIntensity 2, engine 5.6": the task by its values. Without: an axis that is left out; -1: none. */
+DRYDOCK_API std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task, int Without = -1);
 
-/** "BloomIntensity 2, engine 5.6": the task by its values. */
-DRYDOCK_API std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task);
+/** The product of the axes' values: how many tasks there are at most, but for pieces. */
+DRYDOCK_API size_t CountCombinations(const FConfig& Config);
 
-/** What a sweep of these axes would have, before anything is looked at: the product of the axes. */
-DRYDOCK_API size_t CountCombinations(const FSweep& Sweep);
-
-/** The tasks of a sweep, with hashes and without a cost. Remarks on axes that change nothing are appended to
- * Diagnostics. Throws FError with all mistakes that the config and the values of the axes make, each at its place in the
- * sweep. */
-DRYDOCK_API FSweepPlan PlanSweep(const FSweep& Sweep, std::vector<FDiagnostic>& Diagnostics);
+/** The tasks of the config's member "sweep", with hashes, not measured. Remarks on axes that change nothing are
+ * appended to Remarks. Plugins of the config must be loaded. Throws FError (exit code 2) with all mistakes of the sweep
+ * that can be found, each at its place. */
+DRYDOCK_API FSweepPlan PlanSweep(const FConfig& Config, std::vector<FDiagnostic>& Remarks);
 
 } // namespace Drydock

@@ -1,19 +1,21 @@
-// Writes the outputs of a sweep in place of earlier ones.
+// Draws figures over axes, puts pictures side by side, and writes all outputs in place of earlier ones.
 #include "Sweep/SweepReduce.h"
 
 #include "Picture/ContactSheet.h"
-#include "Picture/ImageFile.h"
 #include "Picture/PictureFile.h"
 #include "RangeTools.h"
 #include "Report/ChartData.h"
 #include "Report/ReportPage.h"
 #include "Report/ReportPng.h"
-#include "Sweep/SweepCharts.h"
+#include "Sequence/SequenceSheet.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 #include "Text/Version.h"
+#include "TextTools.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <numeric>
 
@@ -25,64 +27,95 @@ namespace
 
 namespace Files = std::filesystem;
 
-std::string NamePlot(const FSweepAxis& Axis)
+/** A row whose last picture is shown. */
+struct FSweepTile
 {
-	return MakeFileNamePart(Axis.Name) + ".svg";
-}
+	size_t Row = 0;
+	std::string Label;
+	FImage Picture; // no wider than a page has it
+};
 
-FOutputNames MakeReduceOutputNames(const FSweepPlan& Plan)
+/** The pictures of all rows, or of evenly chosen ones. */
+std::vector<FSweepTile> ReadTiles(const FSweepFolder& Folder, const FSweepPlan& Plan, const FSweepTable& Table)
 {
-	FOutputNames Names = {.Name = "sweep",
-		.Files = {"table.json", "table.csv", "timing.csv", "sheet.png", "sweep.html"},
-		.Last = "table.json",
-		.Folders = {"plots", "timing"},
-		.Unsteady = {"timing.csv", "sweep.html"}};
-	for (const FSweepAxis& Axis : Plan.Axes)
+	constexpr size_t MostTiles = 96;
+	constexpr int MostWidth = 480;
+	std::vector<FSweepTile> Tiles;
+	for (const size_t Row : ChooseSheetFrames(Table.Rows.size(), MostTiles))
 	{
-		Names.Unsteady.insert("timing/" + NamePlot(Axis));
+		if (!Table.Rows[Row].Pictures.empty())
+		{
+			const FImage Picture = ReadPicture(Folder.GetPath() / Table.Rows[Row].Pictures.back().File);
+			Tiles.push_back({Row, DescribeTask(Plan, *Table.Rows[Row].Task),
+				Picture.Width > MostWidth ? ScalePicture(Picture, MostWidth) : Picture});
+		}
 	}
-	return Names;
+	return Tiles;
 }
 
-FReportPicture MakeCellPicture(const FSweepFolder& Folder, const FSweepTable& Table, size_t Index)
+FImage MakeSheet(const FSweepPlan& Plan, const FSweepTable& Table, const std::vector<FSweepTile>& Tiles)
 {
-	constexpr int MaxWidth = 480;
-	const FSweepRow& Row = Table.Rows[Index];
-	const FSweepTask& Task = Table.Plan.Tasks[Row.Task];
-	const FImage Image = ReadPicture((Folder.GetPath() / Row.Pictures.back().File).string());
-	FReportPicture Picture;
-	Picture.Id = std::to_string(Index); // hashes of two tasks may be the same
-	Picture.Role = "frame";
-	Picture.Label = DescribeTask(Table.Plan, Task);
-	Picture.Extent = Picture.Size = {Image.Width, Image.Height};
-	Picture.Channels = {"R", "G", "B"};
-	Picture.Png = MakePng(Image.Width > MaxWidth ? ScalePicture(Image, MaxWidth) : Image, true);
-	return Picture;
+	constexpr size_t MostColumns = 12;
+	const size_t NumColumns = Plan.Axes.back().Values.size();
+	const bool bGrid = Tiles.size() == Table.Rows.size() && NumColumns <= MostColumns && Tiles.size() % NumColumns == 0;
+	return MakeContactSheet(ToVector<FSheetTile>(Tiles,
+								[](const FSweepTile& Tile) {
+									return FSheetTile{Tile.Picture, Tile.Label};
+								}),
+		{.Columns = bGrid ? int(NumColumns) : 0});
 }
 
-} // namespace
-
-std::string MakeSweepPageData(const FSweepFolder& Folder, const FSweepTable& Table, const std::string& When)
+FChartAxis MakeAxis(
+	const std::string& Name, const std::vector<double>& Values, const std::vector<std::string>& Names = {})
 {
-	std::vector<FReportPicture> Pictures = ToVector<FReportPicture>(
-		ChooseSweepRows(Table), [&](size_t Row) { return MakeCellPicture(Folder, Table, Row); });
+	constexpr int MostTicks = 6;
+	const auto [Least, Most] = std::ranges::minmax(Values);
+	const double Room = Most > Least ? 0.05 * (Most - Least) : std::max(0.5 * std::abs(Most), 0.5);
+	return MakeLinearAxis(Name, Least - Room, Most + Room, MostTicks, Names);
+}
+
+/** Where the values of an axis stand: at their numbers where all are numbers, else at 0, 1, 2, ... */
+std::vector<double> PlaceValues(const FSweepAxis& Axis, bool& bOutNumbers)
+{
+	std::vector<double> Places(Axis.Values.size());
+	std::iota(Places.begin(), Places.end(), 0.0);
+	bOutNumbers = Axis.Name != "engine" && std::ranges::all_of(Axis.Values, [](const std::string& Value)
+											   { return ParseAll<double>(Value).has_value(); });
+	return bOutNumbers
+			   ? ToVector<double>(Axis.Values, [](const std::string& Value) { return *ParseAll<double>(Value); })
+			   : Places;
+}
+
+std::string MakePageData(
+	const FSweepPlan& Plan, const FSweepTable& Table, const std::vector<FSweepTile>& Tiles, const std::string& When)
+{
+	auto Pictures = ToVector<FReportPicture>(Tiles,
+		[](const FSweepTile& Tile)
+		{
+			const std::array<int, 2> Size = {Tile.Picture.Width, Tile.Picture.Height};
+			return FReportPicture{.Id = std::to_string(Tile.Row),
+				.Role = "frame",
+				.Label = Tile.Label,
+				.Extent = Size,
+				.Size = Size,
+				.Channels = {"R", "G", "B"},
+				.Png = MakePng(Tile.Picture, true)};
+		});
 	std::vector<size_t> All(Pictures.size());
 	std::iota(All.begin(), All.end(), 0);
 	FitPictures(Pictures, {All}, MaxPagePictureBytes);
 	FJsonWriter Writer('{');
 	Writer.Members({{"format", "drydock-report"}, {"formatVersion", 1}, {"kind", "sweep"},
-		{"name", Files::path(Table.Plan.Config).stem().string()}, {"version", GetVersion()}, {"written", When}});
-	Writer.Key("sweep").Raw(MakeSweepTableJson(Table));
+		{"name", Files::path(Plan.Config).stem().string()}, {"version", GetVersion()}, {"written", When}});
+	Writer.Key("sweep").Raw(MakeSweepTableJson(Plan, Table));
 	Writer.Member("seconds", ToVector<double>(Table.Rows, &FSweepRow::Seconds));
-	Writer.Key("charts").BeginArray();
-	for (size_t Axis = 0; Axis < Table.Plan.Axes.size(); ++Axis)
+	Writer.Key("plots").BeginArray();
+	for (size_t Axis = 0; Axis < Plan.Axes.size(); ++Axis)
 	{
-		FChart Chart = MakeSweepChart(Table, Axis, false);
-		const FChart Times = MakeSweepChart(Table, Axis, true);
-		Chart.Panels.insert(Chart.Panels.end(), Times.Panels.begin(), Times.Panels.end());
 		Writer.BeginObject();
-		Writer.Member("axis", Table.Plan.Axes[Axis].Name);
-		Writer.Array("panels", Chart.Panels, [&](const FChartPanel& Panel) { WriteChartPanel(Writer, Panel); });
+		Writer.Member("axis", Plan.Axes[Axis].Name);
+		Writer.Array("panels", MakeSweepPanels(Plan, Table, Axis),
+			[&](const FChartPanel& Panel) { WriteChartPanel(Writer, Panel); });
 		Writer.EndObject();
 	}
 	Writer.EndArray();
@@ -90,38 +123,102 @@ std::string MakeSweepPageData(const FSweepFolder& Folder, const FSweepTable& Tab
 	return Writer.GetText();
 }
 
-FSweepTable ReduceSweep(const FSweepFolder& Folder, bool bPage)
+} // namespace
+
+std::vector<FChartPanel> MakeSweepPanels(const FSweepPlan& Plan, const FSweepTable& Table, size_t Axis)
+{
+	constexpr size_t MostLines = 8;
+	const std::string Mean = "mean";
+	bool bNumbers = false;
+	const std::vector<double> Places = PlaceValues(Plan.Axes[Axis], bNumbers);
+	std::vector<std::string> Lines;
+	std::ranges::for_each(
+		Table.Rows, [&](const FSweepRow& Row) { AddUnique(Lines, DescribeTask(Plan, *Row.Task, int(Axis))); });
+	Lines = Lines.size() > MostLines ? std::vector<std::string>{Mean} : Lines;
+	std::vector<FChartPanel> Panels;
+	for (const std::string& Figure : Places.size() > 1 ? Table.Figures : std::vector<std::string>())
+	{
+		std::map<std::string, std::map<double, std::pair<double, double>>> Sums; // and counts, by line and place
+		std::vector<double> Values;
+		for (const FSweepRow& Row : Table.Rows)
+		{
+			const auto Found = Row.Figures.find(Figure);
+			if (Found != Row.Figures.end() && std::isfinite(Found->second))
+			{
+				const auto& Labels = Plan.Axes[Axis].Values;
+				const auto Index = std::ranges::find(Labels, Row.Task->Values[Axis]) - Labels.begin();
+				const std::string Line = Lines[0] == Mean ? Mean : DescribeTask(Plan, *Row.Task, int(Axis));
+				auto& [Sum, Count] = Sums[Line][Places[size_t(Index)]];
+				Sum += Found->second;
+				Count += 1.0;
+				Values.push_back(Found->second);
+			}
+		}
+		if (Values.empty())
+		{
+			continue;
+		}
+		FChartPanel Panel{.Title = Figure, .NumColumns = 2, .Height = 150.0};
+		Panel.X =
+			MakeAxis(Plan.Axes[Axis].Name, Places, bNumbers ? std::vector<std::string>() : Plan.Axes[Axis].Values);
+		Panel.Y = MakeAxis("", Values);
+		for (size_t Line = 0; Line < Lines.size(); ++Line)
+		{
+			FChartSeries Series{.Name = Lines[Line], .Color = "c" + std::to_string(Line)};
+			for (const auto& [Place, Sum] : Sums[Lines[Line]])
+			{
+				Series.Line.push_back({Place, Sum.first / Sum.second});
+			}
+			Panel.Series.push_back(std::move(Series));
+		}
+		Panels.push_back(std::move(Panel));
+	}
+	return Panels;
+}
+
+std::vector<std::string> ReduceSweep(const FSweepFolder& Folder, bool bPage)
 {
 	const FSweepPlan Plan = Folder.ReadPlan();
 	const FSweepTable Table = MakeSweepTable(Folder, Plan);
-	FOutputFolder Output(Folder.GetPath(), MakeReduceOutputNames(Plan));
-	const auto Write = [&](const Files::path& Name, const std::string& Text)
+	const FOutputNames Names = {.Name = "sweep",
+		.Files = {"table.json", "table.csv", "timing.csv", "sheet.png", "sweep.html"},
+		.Last = "table.json",
+		.Folders = {"plots"},
+		.Unsteady = {"timing.csv", "sweep.html"}};
+	FOutputFolder Output(Folder.GetPath(), Names);
+	const std::vector<FSweepTile> Tiles = ReadTiles(Folder, Plan, Table);
+	WriteWholeFile(Output.GetAside() / "table.json", MakeSweepTableJson(Plan, Table));
+	WriteWholeFile(Output.GetAside() / "table.csv", MakeSweepCsv(Plan, Table, false));
+	WriteWholeFile(Output.GetAside() / "timing.csv", MakeSweepCsv(Plan, Table, true));
+	if (!Tiles.empty())
 	{
-		std::error_code Ignored;
-		Files::create_directories((Output.GetAside() / Name).parent_path(), Ignored);
-		WriteWholeFile((Output.GetAside() / Name).string(), Text);
-	};
-	Write("table.json", MakeSweepTableJson(Table));
-	Write("table.csv", MakeSweepCsv(Table, false));
-	Write("timing.csv", MakeSweepCsv(Table, true));
-	WritePng((Output.GetAside() / "sheet.png").string(), MakeSweepSheet(Folder, Table), EPngEffort::Small);
+		WritePng(Output.GetAside() / "sheet.png", MakeSheet(Plan, Table, Tiles), EPngEffort::Small);
+	}
+	Files::create_directory(Output.GetAside() / "plots");
 	for (size_t Axis = 0; Axis < Plan.Axes.size(); ++Axis)
 	{
-		for (const bool bSeconds : {false, true})
+		FChart Chart;
+		Chart.Title = "Figures over " + Plan.Axes[Axis].Name;
+		Chart.Panels = MakeSweepPanels(Plan, Table, Axis);
+		const size_t NumLines = Chart.Panels.empty() ? 0 : Chart.Panels[0].Series.size();
+		for (size_t Line = 0; NumLines > 1 && Line < NumLines; ++Line)
 		{
-			const FChart Chart = MakeSweepChart(Table, Axis, bSeconds);
-			if (!Chart.Panels.empty())
-			{
-				Write(Files::path(bSeconds ? "timing" : "plots") / NamePlot(Plan.Axes[Axis]), DrawChart(Chart));
-			}
+			const FChartSeries& Series = Chart.Panels[0].Series[Line];
+			Chart.Legend.push_back({{Series.Name, Series.Color, {}}});
+		}
+		if (NumLines > 0)
+		{
+			WriteWholeFile(
+				Output.GetAside() / "plots" / (MakeFileNamePart(Plan.Axes[Axis].Name) + ".svg"), DrawChart(Chart));
 		}
 	}
 	if (bPage)
 	{
-		Write("sweep.html", MakeReportPage(MakeSweepPageData(Folder, Table, FormatReportTime(std::time(nullptr)))));
+		WriteWholeFile(Output.GetAside() / "sweep.html",
+			MakeReportPage(MakePageData(Plan, Table, Tiles, FormatReportTime(std::time(nullptr)))));
 	}
 	Output.PutInPlace();
-	return Table;
+	return Table.Notes;
 }
 
 } // namespace Drydock

@@ -1,22 +1,21 @@
-// Makes one table, sheets, plots and a page of the results of a sweep.
+// Makes a table, a sheet, plots and a page of the results of a sweep.
 #pragma once
 
 #include "DrydockAPI.h"
+#include "Picture/Chart.h"
 #include "Sweep/SweepTable.h"
-
-#include <string>
 
 namespace Drydock
 {
 
-/** Writes table.json, table.csv, sheet.png, plots/AXIS.svg, timing.csv, timing/AXIS.svg and, where it is asked for,
- * sweep.html into the folder. All but the timing and the page are the same bytes for the same tasks. Throws FError as
- * MakeSweepTable, and as FOutputFolder. */
-DRYDOCK_API FSweepTable ReduceSweep(const FSweepFolder& Folder, bool bPage);
+/** Writes table.json, table.csv, sheet.png, plots/AXIS.svg and timing.csv into the folder, and sweep.html where it is
+ * asked for. All but timing.csv and the page are the same bytes for the same tasks. Returns the notes of the table.
+ * Throws FError as MakeSweepTable and FOutputFolder. */
+DRYDOCK_API std::vector<std::string> ReduceSweep(const FSweepFolder& Folder, bool bPage);
 
-/** JSON by report/sweep.schema.json, for MakeReportPage. When: UTC, as FormatReportTime has it. Throws FError (exit code
- * 3) where a picture cannot be read. */
-DRYDOCK_API std::string MakeSweepPageData(
-	const FSweepFolder& Folder, const FSweepTable& Table, const std::string& When);
+/** Each figure over an axis, a panel each: a line for each combination of the other axes where there are few, else the
+ * mean.
+ */
+DRYDOCK_API std::vector<FChartPanel> MakeSweepPanels(const FSweepPlan& Plan, const FSweepTable& Table, size_t Axis);
 
 } // namespace Drydock

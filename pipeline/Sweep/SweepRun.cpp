@@ -15,14 +15,11 @@
 #include "Text/Fmt.inl"
 #include "Text/JsonWriter.h"
 #include "Text/TextFile.h"
-#include "Text/Version.h"
-#include "TileExecutor.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <unistd.h>
 
 namespace Drydock
 {
@@ -32,44 +29,42 @@ namespace
 
 namespace Files = std::filesystem;
 
-using FFigureMap = std::map<std::string, double>;
+using FSweepFigures = std::map<std::string, double>;
 
 /** A frame of a result. */
 struct FSweepFrame
 {
-	std::optional<int> Frame;
-	std::string Picture; // fingerprint
-	FFigureMap Figures;
+	std::optional<int> Number;
+	std::string File;
+	std::string Picture; // fingerprint of its numbers
+	FSweepFigures Figures;
 };
 
-/** The fingerprint of the picture's numbers, its mean brightness as displayed, and how many pixels are not finite. */
+/** Fills in the picture's fingerprint, its mean brightness as displayed, and how many pixels are not finite. */
 void MeasureFinal(const FPicture& Picture, FSweepFrame& Frame)
 {
 	FFingerprint Fingerprint;
-	const size_t Width = static_cast<size_t>(Picture.Width), NumChannels = static_cast<size_t>(Picture.NumChannels);
-	std::vector<float> Row(Width * NumChannels);
-	double Sum = 0.0;
-	uint64_t NumNonFinite = 0;
+	const size_t NumChannels = size_t(Picture.NumChannels);
+	std::vector<float> Row(size_t(Picture.Width) * NumChannels);
+	double Sum = 0.0, NumNonFinite = 0.0;
 	for (int Y = 0; Y < Picture.Height; ++Y)
 	{
 		Picture.ReadRow(Y, Row.data());
 		Fingerprint.Add(Row.data(), Row.size() * sizeof(float));
-		for (size_t X = 0; X < Width; ++X)
+		for (size_t At = 0; At < Row.size(); At += NumChannels)
 		{
-			const float* const Color = &Row[X * NumChannels];
-			const double Luma = 0.2126 * Color[0] + 0.7152 * Color[1] + 0.0722 * Color[2];
-			Sum += std::isfinite(Luma) ? Luma : 0.0;
-			NumNonFinite += std::isfinite(Luma) ? 0 : 1;
+			const double Luma = 0.2126 * Row[At] + 0.7152 * Row[At + 1] + 0.0722 * Row[At + 2];
+			(std::isfinite(Luma) ? Sum : NumNonFinite) += std::isfinite(Luma) ? Luma : 1.0;
 		}
 	}
 	Frame.Picture = Fingerprint.Get();
-	Frame.Figures["brightness"] = Sum / static_cast<double>(std::max<size_t>(1, Width * size_t(Picture.Height)));
-	Frame.Figures["nonFinite"] = static_cast<double>(NumNonFinite);
+	Frame.Figures = {
+		{"brightness", Sum / std::max(1.0, double(Picture.Width) * Picture.Height)}, {"nonFinite", NumNonFinite}};
 }
 
 FSweepFrame MeasureFrame(const FRunResult& Result, std::optional<int> Number)
 {
-	FSweepFrame Frame{Number, "", {}};
+	FSweepFrame Frame{Number, Number ? fmt::format("{:04}", *Number) : "final", "", {}};
 	MeasureFinal(Result.Final, Frame);
 	Frame.Figures["exposure"] = Result.ExposureScale;
 	for (const auto& [Effect, Figures] : Result.Figures)
@@ -78,80 +73,59 @@ FSweepFrame MeasureFrame(const FRunResult& Result, std::optional<int> Number)
 		{
 			for (const FFigure& Figure : Group.Figures)
 			{
-				const double Value = Figures.Get(Group.Name, Figure.Name);
-				if (std::isfinite(Value))
-				{
-					Frame.Figures[Group.Name + "." + Figure.Name] = Value;
-				}
+				Frame.Figures[Group.Name + "." + Figure.Name] = Figures.Get(Group.Name, Figure.Name);
 			}
 		}
 	}
+	std::erase_if(Frame.Figures, [](const auto& One) { return !std::isfinite(One.second); });
 	return Frame;
 }
 
-/** The mean over the frames; a figure that not all of them have is left out. */
-FFigureMap GetMeans(const std::vector<FSweepFrame>& Frames)
+/** The mean of each figure over the frames that have it. */
+FSweepFigures GetMeans(const std::vector<FSweepFrame>& Frames)
 {
-	FFigureMap Means = Frames.empty() ? FFigureMap() : Frames[0].Figures;
-	for (auto& [Name, Mean] : Means)
+	std::map<std::string, std::pair<double, double>> Sums; // and counts
+	for (const FSweepFrame& Frame : Frames)
 	{
-		double Sum = 0.0;
-		for (const FSweepFrame& Frame : Frames)
+		for (const auto& [Name, Value] : Frame.Figures)
 		{
-			const auto Found = Frame.Figures.find(Name);
-			Sum += Found == Frame.Figures.end() ? std::nan("") : Found->second;
+			Sums[Name].first += Value;
+			Sums[Name].second += 1.0;
 		}
-		Mean = Sum / static_cast<double>(Frames.size());
 	}
-	std::erase_if(Means, [](const auto& One) { return !std::isfinite(One.second); });
+	FSweepFigures Means;
+	for (const auto& [Name, Sum] : Sums)
+	{
+		Means[Name] = Sum.first / Sum.second;
+	}
 	return Means;
 }
 
-void WriteFigures(FJsonWriter& Writer, const FFigureMap& Figures)
-{
-	Writer.Object("figures", Figures, [&](const auto& One) { Writer.Member(One.first, One.second); });
-}
-
 /** result.json. Messages come once, though each frame has them. */
-void WriteResult(const Files::path& Folder, const FSweepTask& Task, const FFigureMap& Figures,
+void WriteResult(const Files::path& Folder, const FSweepTask& Task, const FSweepFigures& Figures,
 	const std::vector<FSweepFrame>& Frames, const std::vector<FDiagnostic>& Messages)
 {
 	FJsonWriter Writer('{');
-	Writer.Members({{"version", GetVersion()}, {"task", Task.Hash}});
-	Writer.Object("set", Task.Set, [&](const auto& One) { Writer.Member(One.first, One.second); });
-	WriteFigures(Writer, Figures);
-	Writer.Array("frames", Frames,
+	const auto WriteMember = [&](const auto& One)
+	{
+		Writer.Member(One.first, One.second);
+	};
+	Writer.Member("task", Task.Hash);
+	Writer.Object("set", Task.Set, WriteMember);
+	Writer.Object("figures", Figures, WriteMember);
+	Writer.Objects("frames", Frames,
 		[&](const FSweepFrame& Frame)
 		{
-			Writer.BeginObject(true);
-			Writer.Members(
-				{{"frame", Frame.Frame}, {"file", NameSweepPicture(Frame.Frame, "png")}, {"picture", Frame.Picture}});
-			WriteFigures(Writer, Frame.Figures);
-			Writer.EndObject();
+			Writer.Members({{"frame", Frame.Number}, {"file", Frame.File + ".png"}, {"picture", Frame.Picture}});
+			Writer.Object("figures", Frame.Figures, WriteMember);
 		});
 	std::vector<std::string> Texts;
-	for (const FDiagnostic& Message : Messages)
-	{
-		AddUnique(Texts, Message.ToString());
-	}
-	Writer.Key("messages").BeginArray();
-	std::ranges::for_each(Texts, [&](const std::string& Text) { Writer.Value(Text); });
-	Writer.EndArray();
-	WriteWholeFile((Folder / "result.json").string(), Writer.GetText());
-}
-
-std::string GetHostName()
-{
-	char Name[256] = {};
-	return gethostname(Name, sizeof(Name) - 1) == 0 ? Name : "";
+	std::ranges::for_each(Messages, [&](const FDiagnostic& Message) { AddUnique(Texts, Message.ToString()); });
+	Writer.Member("messages", Texts);
+	WriteWholeFile(Folder / "result.json", Writer.GetText());
 }
 
 } // namespace
-
-std::string NameSweepPicture(std::optional<int> Frame, const char* Extension)
-{
-	return Frame ? fmt::format("{:04}.{}", *Frame, Extension) : std::string("final.") + Extension;
-}
 
 FSweepRunner::FSweepRunner(const FSweepPlan& InPlan, std::optional<int> InThreads)
 	: Plan(InPlan)
@@ -164,7 +138,7 @@ FSweepRunner::~FSweepRunner() = default;
 
 FRunOptions FSweepRunner::MakeOptions(const FSweepTask& Task) const
 {
-	FRunOptions Options = MakeTaskOptions(Plan, Task);
+	FRunOptions Options = MakeTaskOptions(Plan, Task.Set);
 	Options.Threads = Threads;
 	Options.SceneCache = SceneCache;
 	return Options;
@@ -172,12 +146,11 @@ FRunOptions FSweepRunner::MakeOptions(const FSweepTask& Task) const
 
 FRunSession& FSweepRunner::Begin(const FSweepTask& Task)
 {
-	std::vector<std::pair<std::string, std::string>> Set = Task.Set;
+	FSweepSet Set = Task.Set;
 	std::erase_if(Set, [](const auto& One) { return One.first == "frames"; });
 	// Plugins may keep a history of their own.
-	const bool bAgain = Session && Set == SessionSet && Session->GetConfig().Plugins.empty() &&
-						Session->GetConfig().Overlays.empty();
-	if (!bAgain)
+	if (!Session || Set != SessionSet || !Session->GetConfig().Plugins.empty() ||
+		!Session->GetConfig().Overlays.empty())
 	{
 		Session.reset(); // one at a time
 		FRunOptions Options = MakeOptions(Task);
@@ -189,7 +162,7 @@ FRunSession& FSweepRunner::Begin(const FSweepTask& Task)
 	return *Session;
 }
 
-void FSweepRunner::RunFrames(const FSweepTask& Task, const Files::path& Folder, size_t MaxFrames)
+void FSweepRunner::RunFrames(const FSweepTask& Task, const Files::path& Folder, bool bFirstAlone)
 {
 	FRunSession& Run = Begin(Task);
 	std::vector<FViewHistory> History;
@@ -206,48 +179,49 @@ void FSweepRunner::RunFrames(const FSweepTask& Task, const Files::path& Folder, 
 		}
 		Frames.push_back(MeasureFrame(Result, Number));
 		Messages.insert(Messages.end(), Result.Diagnostics.begin(), Result.Diagnostics.end());
-		WriteDisplayPng((Folder / NameSweepPicture(Number, "png")).string(), Result.Final, Result.OutputDevice);
+		const std::string File = (Folder / Frames.back().File).string();
+		WriteDisplayPng(File + ".png", Result.Final, Result.OutputDevice);
 		if (Plan.bExr)
 		{
-			WriteFinalExr(Result, (Folder / NameSweepPicture(Number, "exr")).string());
+			WriteFinalExr(Result, File + ".exr");
 		}
 	};
-	for (const int Frame : MaxFrames == 0 ? ListTaskFrames(Task.LeadFrames) : std::vector<int>())
-	{
-		Render(Frame, false);
-	}
 	std::vector<int> Numbers = ListTaskFrames(Task.Frames);
 	if (Numbers.empty())
 	{
 		Render(std::nullopt, true);
 	}
-	Numbers.resize(MaxFrames == 0 ? Numbers.size() : std::min(MaxFrames, Numbers.size()));
-	for (const int Frame : Numbers)
+	else if (bFirstAlone)
 	{
-		Render(Frame, true);
+		Numbers.resize(1);
 	}
+	for (const int Frame : bFirstAlone ? std::vector<int>() : ListTaskFrames(Task.LeadFrames))
+	{
+		Render(Frame, false);
+	}
+	std::ranges::for_each(Numbers, [&](int Frame) { Render(Frame, true); });
 	WriteResult(Folder, Task, GetMeans(Frames), Frames, Messages);
 }
 
 std::string FSweepRunner::RunStudy(const FSweepTask& Task, const Files::path& Folder)
 {
 	const FStudyResult Result = FStudyRun(MakeOptions(Task)).Measure();
-	FFigureMap Figures;
-	const std::string& Metric = Result.GetMetric();
+	std::vector<double> Errors;
 	for (const FStudyVariant& Variant : Result.Variants)
 	{
-		const double Error = GetMetric(Variant.Error, Metric);
+		const double Error = GetMetric(Variant.Error, Result.GetMetric());
 		if (Variant.Competes() && std::isfinite(Error))
 		{
-			++Figures["variants"];
-			const auto [Least, bNewLeast] = Figures.emplace("least " + Metric, Error);
-			const auto [Most, bNewMost] = Figures.emplace("most " + Metric, Error);
-			Least->second = std::min(Least->second, Error);
-			Most->second = std::max(Most->second, Error);
+			Errors.push_back(Error);
 		}
 	}
-	WriteWholeFile((Folder / "study.json").string(), MakeStudyJson(Result));
-	WriteWholeFile((Folder / "study.csv").string(), MakeStudyCsv(Result, false));
+	FSweepFigures Figures = {{"variants", double(Errors.size())}};
+	if (!Errors.empty())
+	{
+		Figures["least " + Result.GetMetric()] = std::ranges::min(Errors);
+		Figures["most " + Result.GetMetric()] = std::ranges::max(Errors);
+	}
+	WriteWholeFile(Folder / "study.json", MakeStudyJson(Result));
 	WriteResult(Folder, Task, Figures, {}, Result.Diagnostics);
 	return MakeStudyTimingJson(Result);
 }
@@ -262,64 +236,42 @@ void FSweepRunner::RunHazards(const FSweepTask& Task, const Files::path& Folder)
 		const FScopedDispatchObserver Scope(Capture);
 		Messages = RunConfig(Options).Diagnostics;
 	}
-	FFigureMap Figures = {{"cases", 0.0}, {"hazards", 0.0}};
+	FSweepFigures Figures = {{"cases", 0.0}, {"hazards", 0.0}};
 	for (const FHazardRow& Row : Capture.GetRows())
 	{
-		Figures["cases"] += static_cast<double>(Row.Findings.size());
-		Figures["hazards"] += static_cast<double>(std::ranges::count_if(Row.Findings, MakesNaNOfFinite));
+		Figures["cases"] += double(Row.Findings.size());
+		Figures["hazards"] += double(std::ranges::count_if(Row.Findings, MakesNaNOfFinite));
 	}
-	WriteWholeFile((Folder / "hazards.json").string(), MakeHazardJson(Capture.GetRows()));
+	WriteWholeFile(Folder / "hazards.json", MakeHazardJson(Capture.GetRows()));
 	WriteResult(Folder, Task, Figures, {}, Messages);
 }
 
-FSweepTime FSweepRunner::Run(const FSweepTask& Task, const Files::path& Folder, size_t MaxFrames)
+std::string FSweepRunner::Run(const FSweepTask& Task, const Files::path& Folder, bool bFirstAlone)
 {
-	const auto Start = std::chrono::steady_clock::now();
-	FSweepTime Time;
-	switch (Plan.Task)
+	if (Plan.Kind == "study")
 	{
-	case ESweepTask::Run:
-		RunFrames(Task, Folder, MaxFrames);
-		break;
-	case ESweepTask::Study:
-		Time.More = RunStudy(Task, Folder);
-		break;
-	case ESweepTask::Hazards:
-		RunHazards(Task, Folder);
-		break;
+		return RunStudy(Task, Folder);
 	}
-	Time.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - Start).count();
-	Time.Threads = Threads.value_or(0);
-	Time.Host = GetHostName();
-	return Time;
+	Plan.Kind == "hazards" ? RunHazards(Task, Folder) : RunFrames(Task, Folder, bFirstAlone);
+	return "";
 }
 
-FSweepCost MeasureSweep(const FSweepPlan& Plan, const FSweepFolder& Folder)
+void MeasureSweep(const Files::path& Folder, FSweepPlan& Plan)
 {
-	if (Plan.Tasks.empty())
+	const FAsideFile Aside(Folder / "measured");
+	Files::create_directory(Aside.GetPath());
+	// The shaders of a frame are compiled first; others run more than one, so that these are a small part.
+	for (int Turn = Plan.Kind == "run" ? 0 : 1; Turn < 2; ++Turn)
 	{
-		return {};
+		const auto Begin = std::chrono::steady_clock::now();
+		FSweepRunner(Plan, std::nullopt).Run(Plan.Tasks.at(0), Aside.GetPath(), true);
+		Plan.SecondsPerFrame = std::chrono::duration<double>(std::chrono::steady_clock::now() - Begin).count();
 	}
-	const FAsideFile Aside(Folder.GetPath() / "measure");
-	std::error_code Error;
-	if (!Files::create_directory(Aside.GetPath(), Error))
-	{
-		throw MakeWriteError(Aside.GetPath().string(), Error.message());
-	}
-	const auto Measure = [&]
-	{
-		return FSweepRunner(Plan, std::nullopt).Run(Plan.Tasks[0], Aside.GetPath(), 1).Seconds;
-	};
-	FSweepCost Cost{Measure(), 0};
-	if (Plan.Task == ESweepTask::Run) // others run more than one frame, so their shaders are a small part
-	{
-		Cost.Seconds = Measure();
-	}
+	Plan.BytesPerFrame = 0;
 	for (const Files::directory_entry& Entry : Files::directory_iterator(Aside.GetPath()))
 	{
-		Cost.Bytes += Entry.file_size();
+		Plan.BytesPerFrame += Entry.file_size();
 	}
-	return Cost;
 }
 
 } // namespace Drydock

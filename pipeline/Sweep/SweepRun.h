@@ -2,7 +2,6 @@
 #pragma once
 
 #include "DrydockAPI.h"
-#include "Sweep/SweepFolder.h"
 #include "Sweep/SweepPlan.h"
 #include "Templates/UnrealTemplate.h"
 
@@ -20,34 +19,31 @@ class FRunSession;
 class DRYDOCK_API FSweepRunner : private FNoncopyable
 {
 public:
-	/** Threads: as of FRunOptions. */
+	/** Plan must outlive this. Threads: as of FRunOptions. */
 	FSweepRunner(const FSweepPlan& InPlan, std::optional<int> InThreads);
 	~FSweepRunner();
 
-	/** Runs the task and writes its files into Folder, which is there and empty: result.json and pictures. The same task
-	 * gives the same bytes, whatever ran before. Returns what it took. Throws FError: what the run throws; a file that
-	 * cannot be written. MaxFrames: so many frames at most, to measure; 0: all. */
-	FSweepTime Run(const FSweepTask& Task, const std::filesystem::path& Folder, size_t MaxFrames = 0);
+	/** Runs the task and writes its files into Folder, which is there and empty: result.json and pictures. The same
+	 * task gives the same bytes, whatever ran before. Returns study_timing.json of a study, else nothing. Throws
+	 * FError: what the run throws; a file that cannot be written. bFirstAlone: only the first frame, to measure. */
+	std::string Run(const FSweepTask& Task, const std::filesystem::path& Folder, bool bFirstAlone = false);
 
 private:
 	FRunOptions MakeOptions(const FSweepTask& Task) const;
-	void RunFrames(const FSweepTask& Task, const std::filesystem::path& Folder, size_t MaxFrames);
+	FRunSession& Begin(const FSweepTask& Task);
+	void RunFrames(const FSweepTask& Task, const std::filesystem::path& Folder, bool bFirstAlone);
 	std::string RunStudy(const FSweepTask& Task, const std::filesystem::path& Folder);
 	void RunHazards(const FSweepTask& Task, const std::filesystem::path& Folder);
-	FRunSession& Begin(const FSweepTask& Task);
 
 	const FSweepPlan& Plan;
 	const std::optional<int> Threads;
 	const std::shared_ptr<FSceneCache> SceneCache;
 	std::unique_ptr<FRunSession> Session; // of the last task
-	std::vector<std::pair<std::string, std::string>> SessionSet;
+	FSweepSet SessionSet;
 };
 
-/** Measures the first task of a plan, with the plan's folder for its files, which go away: of frames the first one, once
- * shaders are compiled. Throws FError as FSweepRunner::Run. */
-DRYDOCK_API FSweepCost MeasureSweep(const FSweepPlan& Plan, const FSweepFolder& Folder);
-
-/** The picture of a frame in a result: "final.png", of a sequence "0012.png". Frame: empty of a scene of one frame. */
-DRYDOCK_API std::string NameSweepPicture(std::optional<int> Frame, const char* Extension);
+/** Measures the first task of the plan, of frames the first one once its shaders are compiled, and sets the plan's
+ * seconds and bytes. Folder: of the plan; the files go away. Throws FError as FSweepRunner::Run. */
+DRYDOCK_API void MeasureSweep(const std::filesystem::path& Folder, FSweepPlan& Plan);
 
 } // namespace Drydock

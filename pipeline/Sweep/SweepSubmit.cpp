@@ -5,15 +5,13 @@
 #include "ContentHash.h"
 #include "Matrix/Matrix.h"
 #include "Sweep/SweepErrors.h"
-#include "Text/ConfigErrors.h"
+#include "Sweep/SweepExec.h"
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 #include "Text/TextFormat.h"
 #include "TextTools.h"
 
 #include <algorithm>
-#include <exception>
-#include <filesystem>
 #include <thread>
 
 namespace Drydock
@@ -24,183 +22,89 @@ namespace
 
 namespace Files = std::filesystem;
 
-constexpr int MostEngineSeconds = 20 * 24 * 3600;
-
-constexpr const char* ScriptRemark =
-	"# You may change it and run it again. `drydock sweep submit` writes it anew.\n";
-
-std::string JoinOptions(const std::vector<std::string>& Options)
+int GetNumCores()
 {
-	return JoinText(Options, "", [](const std::string& Word) { return QuoteForShell(Word) + " "; });
-}
-
-std::string GetFile(const FSubmitRequest& Request, const std::string& Name)
-{
-	return (Files::path(Request.Folder) / Name).string();
-}
-
-FError MakeEngineError(const std::string& Message, const std::string& File = "")
-{
-	return FError({.Code = ErrorSweepEngine, .Message = Message, .File = File}, ExitFiles);
-}
-
-void RequireEngine(const std::string& Program, const std::string& Package)
-{
-	if (FindProgram(Program).empty())
-	{
-		throw MakeEngineError(
-			"there is no " + Program + " in PATH: Debian has it in the package " + Package + "; --engine local needs none");
-	}
-}
-
-FSubmitResult SubmitHere(const FSubmitRequest& Request, const FSweepPlan& Plan, int NumShards)
-{
-	const int NumCores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-	std::vector<std::string> Failures(static_cast<size_t>(NumShards));
-	{
-		std::vector<std::jthread> Threads;
-		for (int Shard = 0; Shard < NumShards; ++Shard)
-		{
-			Threads.emplace_back(
-				[&, Shard]
-				{
-					try
-					{
-						RunShardApart({.Folder = Request.Folder,
-							.Tasks = ChooseShard(Plan, Shard + 1, NumShards),
-							.Threads = std::max(1, NumCores / NumShards),
-							.Program = Request.Program,
-							.Progress = {},
-							.Report = {}});
-					}
-					catch (const std::exception& Error)
-					{
-						Failures[static_cast<size_t>(Shard)] = Error.what();
-					}
-				});
-		}
-	}
-	std::erase(Failures, "");
-	return {.bWaited = true, .Said = "", .Failures = Failures};
-}
-
-FSubmitResult SubmitToParallel(
-	const FSubmitRequest& Request, const FSweepFolder& Folder, const FSweepPlan& Plan, int NumShards)
-{
-	RequireEngine("parallel", "parallel");
-	std::string Lines;
-	std::ranges::for_each(Plan.Tasks, [&](const FSweepTask& Task) { Lines += Task.Hash; });
-	const std::string Log = GetFile(
-		Request, fmt::format("parallel_{}_{}.joblog", HashBytes(Lines + JoinOptions(Request.Options)).substr(0, 8), NumShards));
-	if (IsJoblogStale(TryReadTextFile(Log).value_or(""), Folder, Plan, NumShards))
-	{
-		Files::remove(Log);
-	}
-	const std::string Script = GetFile(Request, "parallel.sh");
-	WriteTextFile(Script, MakeParallelScript(Request, Request.Program, NumShards, Log));
-	const FChildResult Child = RunChild({"/bin/sh", Script}, MostEngineSeconds);
-	constexpr int MostFailedJobs = 101; // its exit code counts jobs that failed
-	if (!Child.bStarted || Child.Signal != 0 || Child.ExitCode > MostFailedJobs)
-	{
-		throw MakeEngineError("parallel " + Child.Describe(MostEngineSeconds) + ": " + Trim(Child.Output), Script);
-	}
-	return {.bWaited = true, .Said = Child.Output, .Failures = {}};
-}
-
-FSubmitResult SubmitToSlurm(const FSubmitRequest& Request, int NumShards)
-{
-	RequireEngine("sbatch", "slurm-client");
-	std::error_code Ignored;
-	Files::create_directories(GetFile(Request, "log"), Ignored);
-	WriteTextFile(GetFile(Request, "slurm_array.sh"), MakeSlurmArrayScript(Request, Request.Program, NumShards));
-	WriteTextFile(GetFile(Request, "slurm_reduce.sh"), MakeSlurmReduceScript(Request, Request.Program));
-	const std::string Script = GetFile(Request, "slurm.sh");
-	WriteTextFile(Script, MakeSlurmScript(Request));
-	constexpr int MostSeconds = 600;
-	const FChildResult Child = RunChild({"/bin/sh", Script}, MostSeconds);
-	if (!Child.Succeeded())
-	{
-		throw MakeEngineError("sbatch " + Child.Describe(MostSeconds) + ": " + Trim(Child.Output), Script);
-	}
-	return {.bWaited = false, .Said = Child.Output, .Failures = {}};
-}
-
-std::string MakeSlurmHead(const FSubmitRequest& Request, const std::string& What, const std::string& Log)
-{
-	return "#!/bin/sh\n" + What + ScriptRemark + "#SBATCH --job-name=sweep_" +
-		   Files::path(Request.Folder).filename().string() + "\n#SBATCH --output=\"" + GetFile(Request, "log/" + Log) +
-		   "\"\n#SBATCH --open-mode=append\n#SBATCH --requeue\n";
+	return int(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 } // namespace
 
-const std::vector<std::string>& GetSweepEngineNames()
+const std::vector<std::string>& GetSweepEngines()
 {
 	static const std::vector<std::string> Names = {"local", "parallel", "slurm"};
 	return Names;
 }
 
-int ChooseShardCount(const FSweepPlan& Plan, ESweepEngine Engine)
+int ChooseShardCount(const FSweepPlan& Plan, const std::string& Engine)
 {
 	constexpr double ShardSeconds = 600.0;
-	constexpr int Least = 16, Most = 1000; // an array of Slurm has 1,001 elements at most by default
-	const int NumTasks = static_cast<int>(std::max<size_t>(1, Plan.Tasks.size()));
-	if (Engine == ESweepEngine::Local)
+	constexpr double Least = 16.0, Most = 1000.0; // an array of Slurm has 1,001 elements at most by default
+	const double Wanted = std::clamp(Plan.GetSeconds() / ShardSeconds, Least, Most);
+	return std::min(int(Plan.Tasks.size()), Engine == "local" ? GetNumCores() : int(Wanted));
+}
+
+std::vector<std::pair<std::string, std::string>> MakeSubmitScripts(
+	const FSubmitRequest& Request, const std::string& Program, const std::string& Joblog)
+{
+	const std::string Remark = "# You may change it and run it again. `drydock sweep submit` writes it anew.\n";
+	const std::string Folder = QuoteForShell(Request.Folder), Sweep = QuoteForShell(Program) + " sweep ";
+	const std::string Options =
+		JoinText(Request.Options, "", [](const std::string& One) { return QuoteForShell(One) + " "; });
+	const int N = Request.NumShards;
+	if (Request.Engine == "local")
 	{
-		return std::min(NumTasks, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+		return {{"local.sh",
+			fmt::format(
+				"#!/bin/sh\n# Runs the shards of a sweep in {0} processes.\n{1}seq 1 {0} | exec xargs -P {0} -I '{{}}' "
+				"{2}exec {3} --index '{{}}' --of {0} --threads {4}\n",
+				N, Remark, Sweep, Folder, std::max(1, GetNumCores() / N))}};
 	}
-	const double Wanted = std::min(Plan.GetSeconds() / ShardSeconds, static_cast<double>(Most));
-	return std::min(NumTasks, std::clamp(static_cast<int>(Wanted), Least, Most));
-}
-
-std::string MakeParallelScript(
-	const FSubmitRequest& Request, const std::string& Program, int NumShards, const std::string& Log)
-{
-	return fmt::format("#!/bin/sh\n# Runs the shards of a sweep by GNU parallel; what its log has as done is left out.\n{}"
-					   "seq 1 {} | exec parallel --will-cite --quote --joblog {} --resume --resume-failed {}\\\n"
-					   "\t{} sweep exec {} --index {{}} --of {} --threads 1\n",
-		ScriptRemark, NumShards, QuoteForShell(Log), JoinOptions(Request.Options), QuoteForShell(Program),
-		QuoteForShell(Request.Folder), NumShards);
-}
-
-std::string MakeSlurmArrayScript(const FSubmitRequest& Request, const std::string& Program, int NumShards)
-{
-	return MakeSlurmHead(Request, "# One element of a job array: a shard of a sweep.\n", "shard_%a.txt") +
-		   fmt::format("#SBATCH --array=1-{}\n"
-					   "exec {} sweep exec {} --index \"$SLURM_ARRAY_TASK_ID\" --of {} --threads "
-					   "\"${{SLURM_CPUS_PER_TASK:-1}}\"\n",
-			   NumShards, QuoteForShell(Program), QuoteForShell(Request.Folder), NumShards);
-}
-
-std::string MakeSlurmReduceScript(const FSubmitRequest& Request, const std::string& Program)
-{
-	return MakeSlurmHead(Request, "# The job that follows the array: makes table, plots and page.\n", "reduce.txt") +
-		   fmt::format("exec {} sweep reduce {}\n", QuoteForShell(Program), QuoteForShell(Request.Folder));
-}
-
-std::string MakeSlurmScript(const FSubmitRequest& Request)
-{
-	const std::string Options = JoinOptions(Request.Options);
-	return fmt::format("#!/bin/sh\n# Submits a job array and the job that follows it.\n{}set -e\n"
-					   "Array=$(sbatch --parsable {}{})\n"
-					   "Reduce=$(sbatch --parsable --dependency=afterany:\"${{Array%%;*}}\" {}{})\n"
-					   "echo \"array $Array, reduce $Reduce\"\n",
-		ScriptRemark, Options, QuoteForShell(GetFile(Request, "slurm_array.sh")), Options,
-		QuoteForShell(GetFile(Request, "slurm_reduce.sh")));
+	if (Request.Engine == "parallel")
+	{
+		return {{"parallel.sh",
+			fmt::format(
+				"#!/bin/sh\n# Runs the shards of a sweep by GNU parallel. What the log has as done is left out.\n{}"
+				"seq 1 {} | exec parallel --will-cite --quote --joblog {} --resume --resume-failed {}\\\n\t{}exec {} "
+				"--index '{{}}' --of {} --threads 1\n",
+				Remark, N, QuoteForShell(Joblog), Options, Sweep, Folder, N)}};
+	}
+	const auto MakeHead = [&](const std::string& What, const std::string& Log)
+	{
+		return fmt::format("#!/bin/sh\n# {}\n{}#SBATCH --job-name=sweep\n#SBATCH --output=\"{}/log/{}.txt\"\n"
+						   "#SBATCH --open-mode=append\n#SBATCH --requeue\n",
+			What, Remark, Request.Folder, Log);
+	};
+	return {
+		{"slurm.sh",
+			fmt::format("#!/bin/sh\n# Submits a job array, and the job that follows it.\n{0}set -e\n"
+						"Array=$(sbatch --parsable {1}{2}/slurm_array.sh)\n"
+						"Reduce=$(sbatch --parsable --dependency=afterany:\"${{Array%%;*}}\" {1}{2}/slurm_reduce.sh)\n"
+						"echo \"array $Array, reduce $Reduce\"\n",
+				Remark, Options, Folder)},
+		{"slurm_array.sh",
+			MakeHead("One element of a job array: a shard of a sweep.", "shard_%a") +
+				fmt::format(
+					"#SBATCH --array=1-{0}\nexec {1}exec {2} --index \"$SLURM_ARRAY_TASK_ID\" --of {0} --threads "
+					"\"${{SLURM_CPUS_PER_TASK:-1}}\"\n",
+					N, Sweep, Folder)},
+		{"slurm_reduce.sh", MakeHead("Makes the table, the plots and the page of a sweep.", "reduce") +
+								fmt::format("exec {}reduce {}\n", Sweep, Folder)}};
 }
 
 bool IsJoblogStale(const std::string& Joblog, const FSweepFolder& Folder, const FSweepPlan& Plan, int NumShards)
 {
-	constexpr size_t ExitColumn = 6, SignalColumn = 7; // Seq Host Starttime JobRuntime Send Receive Exitval Signal Command
+	constexpr size_t ExitColumn = 6,
+					 SignalColumn = 7; // Seq Host Starttime JobRuntime Send Receive Exitval Signal Command
 	for (const std::string& Line : SplitText(Joblog))
 	{
 		const std::vector<std::string> Cells = SplitText(Line, '\t');
-		const std::optional<int> Shard = Cells.size() > SignalColumn ? ParseAll<int>(Cells[0]) : std::nullopt;
-		if (!Shard || *Shard < 1 || *Shard > NumShards || Cells[ExitColumn] != "0" || Cells[SignalColumn] != "0")
+		const int Shard = Cells.size() > SignalColumn ? ParseAll<int>(Cells[0]).value_or(0) : 0;
+		if (Shard < 1 || Shard > NumShards || Cells[ExitColumn] != "0" || Cells[SignalColumn] != "0")
 		{
 			continue;
 		}
-		const std::vector<size_t> Tasks = ChooseShard(Plan, *Shard, NumShards);
+		const std::vector<size_t> Tasks =
+			ChooseTasks(Plan, {.Folder = "", .Hashes = {}, .Index = Shard, .Of = NumShards});
 		if (!std::ranges::all_of(Tasks, [&](size_t Task) { return Folder.HasResult(Plan.Tasks[Task]); }))
 		{
 			return true;
@@ -209,25 +113,48 @@ bool IsJoblogStale(const std::string& Joblog, const FSweepFolder& Folder, const 
 	return false;
 }
 
-FSubmitResult SubmitSweep(const FSubmitRequest& Given)
+std::string SubmitSweep(const FSubmitRequest& Given)
 {
+	constexpr int MostSeconds = 20 * 24 * 3600;
 	FSubmitRequest Request = Given;
 	Request.Folder = (Files::absolute(Given.Folder) / "").lexically_normal().parent_path().string();
-	Request.Program = Given.Program.empty() ? FindThisProgram() : Given.Program;
 	const FSweepFolder Folder(Request.Folder);
 	const FSweepPlan Plan = Folder.ReadPlan();
-	const int NumShards = Request.NumShards > 0 ? std::min<int>(Request.NumShards, static_cast<int>(Plan.Tasks.size()))
-												: ChooseShardCount(Plan, Request.Engine);
-	switch (Request.Engine)
+	Request.NumShards = std::min(
+		int(Plan.Tasks.size()), Given.NumShards > 0 ? Given.NumShards : ChooseShardCount(Plan, Request.Engine));
+	const auto Fail = [](const std::string& Message, const std::string& File)
 	{
-	case ESweepEngine::Parallel:
-		return SubmitToParallel(Request, Folder, Plan, NumShards);
-	case ESweepEngine::Slurm:
-		return SubmitToSlurm(Request, NumShards);
-	case ESweepEngine::Local:
-		break;
+		return FError({.Code = ErrorSweepEngine, .Message = Message, .File = File}, ExitFiles);
+	};
+	const std::string Needed = Request.Engine == "slurm"      ? "sbatch"
+							   : Request.Engine == "parallel" ? "parallel"
+															  : "xargs";
+	if (FindProgram(Needed).empty())
+	{
+		throw Fail("there is no " + Needed + " in PATH, which --engine " + Request.Engine + " calls", "");
 	}
-	return SubmitHere(Request, Plan, NumShards);
+	const std::string Key = HashBytes(JoinText(Plan.Tasks, "", &FSweepTask::Hash)).substr(0, 8);
+	const std::string Joblog = fmt::format("{}/parallel_{}_{}.joblog", Request.Folder, Key, Request.NumShards);
+	if (IsJoblogStale(TryReadTextFile(Joblog).value_or(""), Folder, Plan, Request.NumShards))
+	{
+		Files::remove(Joblog);
+	}
+	const auto Scripts = MakeSubmitScripts(Request, FindThisProgram(), Joblog);
+	for (const auto& [Name, Text] : Scripts)
+	{
+		WriteTextFile(Request.Folder + "/" + Name, Text);
+	}
+	std::error_code Ignored;
+	Files::create_directories(Files::path(Request.Folder) / "log", Ignored); // of Slurm, which makes none
+	const std::string Script = Request.Folder + "/" + Scripts[0].first;
+	const FChildResult Child = RunChild({"/bin/sh", Script}, MostSeconds);
+	// xargs and parallel count shards that failed, whose tasks say why. Slurm has run nothing yet.
+	constexpr int MostCounted = 123;
+	if (!Child.bStarted || Child.Signal != 0 || Child.ExitCode > (Request.Engine == "slurm" ? 0 : MostCounted))
+	{
+		throw Fail(Needed + " " + Child.Describe(MostSeconds) + ": " + Trim(Child.Output), Script);
+	}
+	return Child.Output;
 }
 
 } // namespace Drydock
