@@ -173,7 +173,6 @@ struct FConfig
 	std::vector<FJsonValue> Extensions; // objects, as they stand: see ReadExtensionRequests
 	std::vector<FJsonValue> Passes;     // see ReadPassRequests
 	FJsonValue Study;                   // as it stands, null where there is none: see ReadStudy
-	FJsonValue Sweep;                   // as it stands, null where there is none: see ReadSweep
 	FJsonValue Budget;                  // as it stands
 	std::vector<TConfigValue<std::string>> Dump;
 	TConfigValue<std::string> Report;  // "off", "on", "full"; not set: as the program chooses

@@ -225,7 +225,6 @@ void ReadRoot(const FJsonValue& Root, FConfig& Config, FConfigMessages& Messages
 	ReadObjects(Root, "extensions", Config.Extensions);
 	ReadObjects(Root, "passes", Config.Passes);
 	WithMember(Root, "study", EJsonType::Object, [&](const FJsonValue& Study) { Config.Study = Study; });
-	WithMember(Root, "sweep", EJsonType::Object, [&](const FJsonValue& Sweep) { Config.Sweep = Sweep; });
 	WithMember(Root, "budget", EJsonType::Object, [&](const FJsonValue& Budget) { Config.Budget = Budget; });
 	ReadVolumes(Root, Config, Messages);
 	WithMember(Root, "camera", EJsonType::Object,

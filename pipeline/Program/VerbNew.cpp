@@ -9,7 +9,7 @@
 #include "Program/Verbs.h"
 #include "RangeTools.h"
 #include "Text/JsonWriter.h"
-#include "Text/TextFormat.h"
+#include "Text/ShellText.h"
 
 #include <algorithm>
 #include <cstdio>

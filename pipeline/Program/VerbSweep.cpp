@@ -91,10 +91,11 @@ int PlanTasks(const FSweepOptions& Options)
 		const FRunSetup Setup(Run); // its plugins, which bring settings and variables, stay loaded
 		Config = Setup.Config;
 	}
-	const size_t NumCombinations = CountCombinations(Config);
+	const FJsonValue Sweep = FindSweep(LoadConfigDocument(Options.Config));
+	const size_t NumCombinations = CountCombinations(Sweep);
 	RequireYes(Options, NumCombinations > MostTasks, fmt::format("the axes have {} combinations", NumCombinations));
 	std::vector<FDiagnostic> Remarks;
-	FSweepPlan Plan = PlanSweep(Config, Remarks);
+	FSweepPlan Plan = PlanSweep(Config, Sweep, Remarks);
 	PrintDiagnostics(Remarks);
 	RequireYes(Options, Plan.Tasks.size() > MostTasks, fmt::format("the sweep has {} tasks", Plan.Tasks.size()));
 	const FSweepFolder Folder(Options.Folder);

@@ -44,11 +44,11 @@ struct FSweepFrames
 class FSweepPlanner
 {
 public:
-	explicit FSweepPlanner(const FConfig& InConfig)
+	FSweepPlanner(const FConfig& InConfig, const FJsonValue& InRoot)
 		: Config(InConfig)
-		, Root(InConfig.Sweep)
+		, Root(InRoot)
 		, Messages(InConfig.File, Found)
-		, Axes(ReadAxes(InConfig, InConfig.Sweep, SweepNames, Found))
+		, Axes(ReadAxes(InConfig, InRoot, SweepNames, Found))
 		, Inputs(Plan)
 	{
 	}
@@ -432,27 +432,33 @@ std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task, int Wit
 	return JoinText(Words);
 }
 
-size_t CountCombinations(const FConfig& Config)
+FJsonValue FindSweep(const FConfigDocument& Document)
+{
+	const FJsonValue* const Sweep = Document.Root.Find("sweep");
+	if (Sweep == nullptr || Sweep->Type != EJsonType::Object)
+	{
+		throw FError({.Code = ErrorMissingKey,
+						 .Message = "the config has no \"sweep\": docs/sweeps.md tells what it holds",
+						 .File = Document.File},
+			ExitUsage);
+	}
+	return *Sweep;
+}
+
+size_t CountCombinations(const FJsonValue& Sweep)
 {
 	constexpr size_t Most = 1'000'000'000;
 	size_t Count = 1;
-	for (const FJsonValue& Axis : Config.Sweep.GetElements("axes"))
+	for (const FJsonValue& Axis : Sweep.GetElements("axes"))
 	{
 		Count = std::min(Most, Count * std::max<size_t>(1, Axis.GetElements("values").size()));
 	}
 	return Count;
 }
 
-FSweepPlan PlanSweep(const FConfig& Config, std::vector<FDiagnostic>& Remarks)
+FSweepPlan PlanSweep(const FConfig& Config, const FJsonValue& Sweep, std::vector<FDiagnostic>& Remarks)
 {
-	if (Config.Sweep.Type != EJsonType::Object)
-	{
-		throw FError({.Code = ErrorMissingKey,
-						 .Message = "the config has no \"sweep\": docs/sweeps.md tells what it holds",
-						 .File = Config.File},
-			ExitUsage);
-	}
-	return FSweepPlanner(Config).MakePlan(Remarks);
+	return FSweepPlanner(Config, Sweep).MakePlan(Remarks);
 }
 
 } // namespace Drydock

@@ -7,8 +7,8 @@
 #include "Sweep/SweepErrors.h"
 #include "Sweep/SweepExec.h"
 #include "Text/Fmt.inl"
+#include "Text/ShellText.h"
 #include "Text/TextFile.h"
-#include "Text/TextFormat.h"
 #include "TextTools.h"
 
 #include <algorithm>

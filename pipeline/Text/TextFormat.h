@@ -24,7 +24,4 @@ std::string FormatCode(int Code);
 /** A cell of a CSV file: quoted where it has to be. */
 DRYDOCK_API std::string CsvText(const std::string& Text);
 
-/** A word as a shell takes it, in quotes where it needs them. */
-DRYDOCK_API std::string QuoteForShell(const std::string& Word);
-
 } // namespace Drydock
