@@ -267,9 +267,9 @@ FVerbCall AddSweepSubmitOptions(FVerbOptions& Verb)
 	Verb.Add("OPTION", Request.Options,
 		"Behind --: the engine's own options, such as --sshlogin A,B of parallel or --partition=long of sbatch");
 	Verb.Add("--engine", Request.Engine,
-			"Run the shards in processes here (default) or by GNU parallel, and make the page; or submit a Slurm job "
-			"array "
-			"and a job for the page")
+			"Run the shards in processes here (default), by GNU parallel, or as a Slurm job array. The page is made at "
+			"the end; "
+			"with Slurm a job makes it")
 		.RequireOneOf(GetSweepEngines());
 	Verb.Add("--shards", Request.NumShards, "Number of shards; by default the cores here, else ten minutes each")
 		.RequireRange(1, 1'000'000)

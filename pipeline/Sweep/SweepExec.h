@@ -1,5 +1,4 @@
-// Runs a shard: tasks of a plan in this process, or in one of their own that is watched, so that a crash costs the one
-// task that made it.
+// Runs a shard: tasks of a plan, in this process or in one that is watched. A crash costs the one task that made it.
 #pragma once
 
 #include "DrydockAPI.h"

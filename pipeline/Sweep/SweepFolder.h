@@ -1,6 +1,6 @@
-// The folder of a sweep: plan.json and tasks.jsonl; results/HH/HASH, complete from the moment it exists;
-// times/HH/HASH.json; failed/HASH.json, the messages of a task that failed; running/HASH, locked while a process is at
-// it. Nothing in results depends on who computed it, or when.
+// The folder of a sweep. It holds plan.json and tasks.jsonl; results/HH/HASH, complete from the moment it exists, and
+// times/HH/HASH.json. A task that failed has its messages in failed/HASH.json. running/HASH is locked while a process
+// is at the task. Nothing in results depends on who computed it, or when.
 #pragma once
 
 #include "DrydockAPI.h"
@@ -53,7 +53,7 @@ public:
 	/** Removes what drydock wrote of it. Throws FError (exit code 2) where there is more. */
 	void RemoveResult(const FSweepTask& Task) const;
 
-	/** What a task took. Of a study also its study_timing.json. */
+	/** The time that a task took, and study_timing.json where it is a study. */
 	void WriteTime(const FSweepTask& Task, double Seconds, const std::string& StudyTiming) const;
 	std::optional<double> ReadSeconds(const FSweepTask& Task) const;
 

@@ -24,11 +24,11 @@ public:
 	 */
 	const FConfig& Prepare(const FSweepTask& Task) { return Find(Task).Config; }
 
-	/** Of the config without its sweep, the files that it names, shaders, plugins, overlays, drydock's build, the
-	 * task's own values and its frames' files. Throws FError as Prepare, or where a frame is missing. */
+	/** A hash of the config without its sweep, the files that it names, shaders, plugins, overlays, drydock's build,
+	 * the task's own values and its frames' files. Throws FError as Prepare, or where a frame is missing. */
 	std::string Hash(const FSweepTask& Task);
 
-	/** What Prepare found, by the files that tasks name: "scene a.exr, plugin b.so". */
+	/** The inputs that Prepare found, by the files that tasks name: "scene a.exr, plugin b.so". */
 	std::map<std::string, FRunInputs> GetInputs() const;
 
 	static std::string NameFiles(const FSweepTask& Task);

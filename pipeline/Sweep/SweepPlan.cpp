@@ -34,7 +34,7 @@ struct FSweepChoice
 	std::string Label;
 };
 
-/** What a task renders; of a scene of one frame nothing. */
+/** The frames that a task renders; none of a scene that is one frame. */
 struct FSweepFrames
 {
 	std::vector<int> Lead;
@@ -438,7 +438,7 @@ FJsonValue FindSweep(const FConfigDocument& Document)
 	if (Sweep == nullptr || Sweep->Type != EJsonType::Object)
 	{
 		throw FError({.Code = ErrorMissingKey,
-						 .Message = "the config has no \"sweep\": docs/sweeps.md tells what it holds",
+						 .Message = "the config has no \"sweep\": docs/sweeps.md describes it",
 						 .File = Document.File},
 			ExitUsage);
 	}

@@ -74,7 +74,7 @@ FChartAxis MakeAxis(
 	return MakeLinearAxis(Name, Least - Room, Most + Room, MostTicks, Names);
 }
 
-/** Where the values of an axis stand: at their numbers where all are numbers, else at 0, 1, 2, ... */
+/** The places of the values on the axis: their numbers where all are numbers, else 0, 1, 2, ... */
 std::vector<double> PlaceValues(const FSweepAxis& Axis, bool& bOutNumbers)
 {
 	std::vector<double> Places(Axis.Values.size());

@@ -1,4 +1,4 @@
-// Runs tasks one after another in this process. What tasks share (shaders, a scene, a session) is kept between them.
+// Runs tasks one after another in this process. Shaders, a scene and a session that tasks share are kept.
 #pragma once
 
 #include "DrydockAPI.h"

@@ -63,7 +63,8 @@ std::vector<std::pair<std::string, std::string>> MakeSubmitScripts(
 	{
 		return {{"parallel.sh",
 			fmt::format(
-				"#!/bin/sh\n# Runs the shards of a sweep by GNU parallel. What the log has as done is left out.\n{}"
+				"#!/bin/sh\n# Runs the shards of a sweep by GNU parallel. It leaves out the shards that the log has as "
+				"done.\n{}"
 				"seq 1 {} | exec parallel --will-cite --quote --joblog {} --resume --resume-failed {}\\\n\t{}exec {} "
 				"--index '{{}}' --of {} --threads 1\n",
 				Remark, N, QuoteForShell(Joblog), Options, Sweep, Folder, N)}};
@@ -148,7 +149,7 @@ std::string SubmitSweep(const FSubmitRequest& Given)
 	Files::create_directories(Files::path(Request.Folder) / "log", Ignored); // of Slurm, which makes none
 	const std::string Script = Request.Folder + "/" + Scripts[0].first;
 	const FChildResult Child = RunChild({"/bin/sh", Script}, MostSeconds);
-	// xargs and parallel count shards that failed, whose tasks say why. Slurm has run nothing yet.
+	// xargs and parallel count shards that failed; their tasks have messages. Slurm has run nothing yet.
 	constexpr int MostCounted = 123;
 	if (!Child.bStarted || Child.Signal != 0 || Child.ExitCode > (Request.Engine == "slurm" ? 0 : MostCounted))
 	{

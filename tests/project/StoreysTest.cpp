@@ -32,7 +32,7 @@ const std::map<std::string, FSteps> GRooms = {
 	{"pipeline", {{"Text"}, {"Picture"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"}, {"Extensions"}, {"Patch"},
 					 {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
 					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards"}, {"Matrix", "Report"},
-					 {"Live"}, {"Program"}}},
+					 {"Sweep"}, {"Live"}, {"Program"}}},
 };
 
 /** The storey that a path from the root begins with. */
