@@ -58,11 +58,13 @@ FImage MakeSheet(const FSweepPlan& Plan, const FSweepTable& Table, const std::ve
 	constexpr size_t MostColumns = 12;
 	const size_t NumColumns = Plan.Axes.back().Values.size();
 	const bool bGrid = Tiles.size() == Table.Rows.size() && NumColumns <= MostColumns && Tiles.size() % NumColumns == 0;
+	FSheetOptions Options;
+	Options.Columns = bGrid ? int(NumColumns) : 0;
 	return MakeContactSheet(ToVector<FSheetTile>(Tiles,
 								[](const FSweepTile& Tile) {
 									return FSheetTile{Tile.Picture, Tile.Label};
 								}),
-		{.Columns = bGrid ? int(NumColumns) : 0});
+		Options);
 }
 
 FChartAxis MakeAxis(
@@ -158,13 +160,18 @@ std::vector<FChartPanel> MakeSweepPanels(const FSweepPlan& Plan, const FSweepTab
 		{
 			continue;
 		}
-		FChartPanel Panel{.Title = Figure, .NumColumns = 2, .Height = 150.0};
+		FChartPanel Panel;
+		Panel.Title = Figure;
+		Panel.NumColumns = 2;
+		Panel.Height = 150.0;
 		Panel.X =
 			MakeAxis(Plan.Axes[Axis].Name, Places, bNumbers ? std::vector<std::string>() : Plan.Axes[Axis].Values);
 		Panel.Y = MakeAxis("", Values);
 		for (size_t Line = 0; Line < Lines.size(); ++Line)
 		{
-			FChartSeries Series{.Name = Lines[Line], .Color = "c" + std::to_string(Line)};
+			FChartSeries Series;
+			Series.Name = Lines[Line];
+			Series.Color = "c" + std::to_string(Line);
 			for (const auto& [Place, Sum] : Sums[Lines[Line]])
 			{
 				Series.Line.push_back({Place, Sum.first / Sum.second});

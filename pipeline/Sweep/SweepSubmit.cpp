@@ -104,8 +104,7 @@ bool IsJoblogStale(const std::string& Joblog, const FSweepFolder& Folder, const 
 		{
 			continue;
 		}
-		const std::vector<size_t> Tasks =
-			ChooseTasks(Plan, {.Folder = "", .Hashes = {}, .Index = Shard, .Of = NumShards});
+		const std::vector<size_t> Tasks = ChooseTasks(Plan, {"", {}, Shard, NumShards, {}});
 		if (!std::ranges::all_of(Tasks, [&](size_t Task) { return Folder.HasResult(Plan.Tasks[Task]); }))
 		{
 			return true;

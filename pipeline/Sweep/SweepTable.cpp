@@ -52,7 +52,8 @@ FSweepRow ReadRow(const FSweepFolder& Folder, const FSweepTask& Task)
 {
 	const Files::path Path = Folder.GetResult(Task);
 	const FJsonValue Root = ParseSweepJson(ReadTextFile(Path / "result.json")).value_or(FJsonValue());
-	FSweepRow Row{.Task = &Task};
+	FSweepRow Row;
+	Row.Task = &Task;
 	const FJsonValue* const Figures = Root.Find("figures");
 	for (const FJsonMember& One : Figures != nullptr ? Figures->Members : std::vector<FJsonMember>())
 	{
@@ -81,7 +82,8 @@ public:
 
 	FSweepPiece Compare(const FSweepRow& Row, const FSweepRow& Reference) const
 	{
-		FSweepPiece Piece{.Task = Row.Task};
+		FSweepPiece Piece;
+		Piece.Task = Row.Task;
 		for (const FSweepPicture& Picture : Row.Pictures)
 		{
 			const FSweepPicture* const Other = FindItem(Reference.Pictures, Picture.Frame, &FSweepPicture::Frame);
