@@ -31,7 +31,7 @@ public:
 		: Folder(Request.Folder)
 		, Plan(Folder.ReadPlan())
 		, Chosen(ChooseTasks(Plan, Request))
-		, Inputs(Plan)
+		, Inputs(Plan, false)
 		, Runner(Plan, Request.Threads)
 	{
 	}
@@ -95,10 +95,6 @@ private:
 
 	void RequireUnchanged(const FSweepTask& Task)
 	{
-		for (; NumPrepared < Plan.Tasks.size(); ++NumPrepared)
-		{
-			Inputs.Prepare(Plan.Tasks[NumPrepared]);
-		}
 		if (Inputs.Hash(Task) != Task.Hash)
 		{
 			const std::string Key = FSweepInputs::NameFiles(Task);
@@ -139,7 +135,6 @@ private:
 	const FSweepPlan Plan;
 	const std::vector<size_t> Chosen;
 	FSweepInputs Inputs;
-	size_t NumPrepared = 0;
 	FSweepRunner Runner;
 	FShardResult Result;
 };
@@ -211,9 +206,17 @@ FShardResult RunShardApart(const FShardRequest& Request)
 		NumBefore = Left.size();
 		std::vector<std::string> Arguments = {FindThisProgram(), "sweep", "exec", Request.Folder, "--here", "--threads",
 			std::to_string(Request.Threads.value_or(0))};
-		for (const size_t Task : std::span(Left).first(std::min(MostTasks, Left.size())))
+		// Tasks that name a plugin or an overlay share a process only with those that name the same.
+		const FSweepTask& First = Plan.Tasks[Left[0]];
+		for (size_t NumTasks = 0; const size_t Task : Left)
 		{
-			Arguments.insert(Arguments.end(), {"--task", Plan.Tasks[Task].Hash});
+			if (NumTasks < MostTasks &&
+				(FSweepInputs::NameFiles(Plan.Tasks[Task]) == FSweepInputs::NameFiles(First) ||
+					!(FSweepInputs::NamesCode(Plan.Tasks[Task]) || FSweepInputs::NamesCode(First))))
+			{
+				Arguments.insert(Arguments.end(), {"--task", Plan.Tasks[Task].Hash});
+				++NumTasks;
+			}
 		}
 		const FChildResult Child = RunChild(Arguments, MostSeconds);
 		const bool bCrashed = Child.Signal != 0 || Child.ExitCode >= ExitInternal;

@@ -2,15 +2,22 @@
 #include "Sweep/SweepInputs.h"
 
 #include "Budget/StudyRequest.h"
+#include "ChildProcess.h"
 #include "Config/FrameSequence.h"
 #include "ContentHash.h"
-#include "Run/RunFiles.h"
+#include "MarkedFolder.h"
+#include "Matrix/Matrix.h"
+#include "Overlay/OverlayFolder.h"
 #include "Run/RunSetup.h"
+#include "Sweep/SweepErrors.h"
+#include "Sweep/SweepFolder.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fingerprint.h"
+#include "Text/TextFile.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 namespace Drydock
 {
@@ -18,30 +25,72 @@ namespace Drydock
 namespace
 {
 
-bool NamesFile(const std::pair<std::string, std::string>& One)
+bool IsCode(const FSweepSet::value_type& One)
 {
-	return One.first == "scene" || One.first == "plugin" || One.first == "overlay";
+	return One.first == "plugin" || One.first == "overlay";
 }
 
-/** Files that FindSequenceInputs leaves out: those of overlays, and what plugins read beside themselves. */
-void AddFurtherFiles(const FRunOptions& Options, FRunInputs& Inputs)
+bool NamesFile(const FSweepSet::value_type& One)
 {
-	namespace Files = std::filesystem;
-	FWatchedFiles Shaders;
-	Shaders.AddShaders(); // which count already
-	const std::vector<std::string> Known = Shaders.GetPaths();
-	for (const std::string& Path : FindRunFiles(Options).GetPaths())
+	return One.first == "scene" || IsCode(One);
+}
+
+/** The files of overlays, which FindSequenceInputs leaves out. */
+void AddOverlays(const FRunOptions& Options, const FConfig& Config, FRunInputs& Inputs)
+{
+	std::vector<std::string> Folders = Options.Overlays;
+	std::ranges::for_each(Config.Overlays,
+		[&](const FConfigOverlay& Overlay) { Folders.push_back(Config.Resolve(Overlay.Folder.Value)); });
+	for (const std::string& Folder : Folders)
 	{
-		std::error_code Ignored;
-		if (!std::ranges::binary_search(Known, Path) && Path != Options.ConfigFile &&
-			Files::is_regular_file(Path, Ignored))
+		std::vector<FDiagnostic> Ignored; // the run reports them
+		const FOverlayFolder Overlay = ReadOverlayFolder(Folder, Ignored);
+		std::vector<std::string> Paths = Overlay.Read;
+		std::ranges::for_each(
+			Overlay.Shaders, [&](const std::string& Shader) { Paths.push_back(Overlay.GetShaderFile(Shader)); });
+		for (const std::string& Path : Paths)
 		{
-			Inputs["read " + Files::path(Path).filename().string()] = FingerprintFile(Path);
+			Inputs["overlay " + std::filesystem::path(Path).lexically_relative(Folder).generic_string()] =
+				FingerprintFile(Path);
 		}
 	}
 }
 
+/** Inputs as run.json has them, of a run in a process of its own: one plugin would see the shaders of another. */
+FRunInputs FindInputsApart(const FRunOptions& Options)
+{
+	constexpr int MostSeconds = 3600;
+	const FMarkedFolder Folder((std::filesystem::temp_directory_path() / "drydock-sweep-").string());
+	const std::string Out = Folder.Reserve("run");
+	std::vector<std::string> Words = {FindThisProgram(), "run", Options.ConfigFile, "--report", "off", "--out", Out};
+	for (const std::string& Plugin : Options.Plugins)
+	{
+		Words.insert(Words.end(), {"--plugin", Plugin});
+	}
+	for (const std::string& Overlay : Options.Overlays)
+	{
+		Words.insert(Words.end(), {"--overlay", Overlay});
+	}
+	const FChildResult Child = RunChild(Words, MostSeconds);
+	const std::optional<FJsonValue> Root = ParseSweepJson(TryReadTextFile(Out + "/run.json").value_or(""));
+	const FJsonValue* const Inputs = Root ? Root->Find("inputs") : nullptr;
+	if (!Child.Succeeded() || Inputs == nullptr)
+	{
+		throw FError(
+			{.Code = ErrorSweepCrash, .Message = "a run with it " + Child.Describe(MostSeconds) + ": " + Child.Output},
+			ExitUsage);
+	}
+	FRunInputs Found;
+	std::ranges::for_each(Inputs->Members, [&](const FJsonMember& One) { Found[One.Key] = One.Value.String; });
+	return Found;
+}
+
 } // namespace
+
+bool FSweepInputs::NamesCode(const FSweepTask& Task)
+{
+	return std::ranges::any_of(Task.Set, IsCode);
+}
 
 std::string FSweepInputs::NameFiles(const FSweepTask& Task)
 {
@@ -60,13 +109,20 @@ const FSweepInputs::FKnown& FSweepInputs::Find(const FSweepTask& Task)
 	{
 		return Found->second;
 	}
-	FSweepSet Set;
-	std::ranges::copy_if(Task.Set, std::back_inserter(Set), NamesFile);
-	const FRunOptions Options = MakeTaskOptions(Plan, Set);
+	FSweepSet Files, Scenes;
+	std::ranges::copy_if(Task.Set, std::back_inserter(Files), NamesFile);
+	std::ranges::copy_if(Files, std::back_inserter(Scenes), std::not_fn(IsCode));
+	const bool bApart = bPlanning && Scenes.size() < Files.size();
+	const FRunOptions Options = MakeTaskOptions(Plan, bApart ? Scenes : Files);
 	const bool bRun = Plan.Kind == "run";
 	const FRunSetup Setup(Options, bRun ? ESceneNeed::Required : ESceneNeed::IfNamed);
 	FKnown Made{Setup.Config, FindSequenceInputs(Options, Setup.Config), {}};
-	AddFurtherFiles(Options, Made.Inputs);
+	const FRunOptions All = MakeTaskOptions(Plan, Files);
+	for (const auto& [Name, Value] : bApart ? FindInputsApart(All) : FRunInputs())
+	{
+		Made.Inputs[Name] = Value;
+	}
+	AddOverlays(All, Made.Config, Made.Inputs);
 	const FConfigScene& Scene = Made.Config.Scene;
 	if (!Scene.File.Value.empty() && (!bRun || Scene.Sequence.empty())) // else frames count for themselves
 	{

@@ -13,14 +13,15 @@ namespace Drydock
 class FSweepInputs
 {
 public:
-	/** Plan must outlive this. */
-	explicit FSweepInputs(const FSweepPlan& InPlan)
+	/** Plan must outlive this. bInPlanning: code that tasks name is not loaded into this process, but runs in one of
+	 * its own; else all tasks that are asked for must name the same code. */
+	FSweepInputs(const FSweepPlan& InPlan, bool bInPlanning)
 		: Plan(InPlan)
+		, bPlanning(bInPlanning)
 	{
 	}
 
-	/** The config with the files that the task names. The plugins of one task bring shaders that later ones see: to
-	 * compare hashes, ask this of all tasks of the plan in their order first. Throws FError: mistakes, missing files.
+	/** The config with the scene that the task names. Throws FError: mistakes, missing files, code that does not run.
 	 */
 	const FConfig& Prepare(const FSweepTask& Task) { return Find(Task).Config; }
 
@@ -33,6 +34,9 @@ public:
 
 	static std::string NameFiles(const FSweepTask& Task);
 
+	/** Whether it names a plugin or an overlay. */
+	static bool NamesCode(const FSweepTask& Task);
+
 private:
 	struct FKnown
 	{
@@ -44,6 +48,7 @@ private:
 	const FKnown& Find(const FSweepTask& Task);
 
 	const FSweepPlan& Plan;
+	const bool bPlanning;
 	std::map<std::string, FKnown> Known;
 	std::map<std::string, std::string> FrameFingerprints; // by path
 };

@@ -49,7 +49,7 @@ public:
 		, Root(InRoot)
 		, Messages(InConfig.File, Found)
 		, Axes(ReadAxes(InConfig, InRoot, SweepNames, Found))
-		, Inputs(Plan)
+		, Inputs(Plan, true)
 	{
 	}
 
@@ -61,7 +61,6 @@ public:
 		ThrowMistakes(); // of values with the config
 		AddTasks();
 		ThrowMistakes(); // of frames
-		std::ranges::for_each(Plan.Tasks, [this](const FSweepTask& Task) { Inputs.Prepare(Task); });
 		std::ranges::for_each(Plan.Tasks, [this](FSweepTask& Task) { Task.Hash = Inputs.Hash(Task); });
 		Plan.Inputs = Inputs.GetInputs();
 		Remarks.insert(Remarks.end(), Found.begin(), Found.end());
@@ -214,12 +213,18 @@ private:
 				{
 					Messages.Error(ErrorBadValue, One.Place, "resolution must be a percentage, above 0 and up to 400");
 				}
-				else if (Contains(SweepNames, One.Name) && One.Name != "frames")
+				else if (One.Name == "engine")
 				{
 					CallAt(One.Place,
 						[&] {
 							FRunSetup(MakeTaskOptions(Plan, {{One.Name, One.Value}}), ESceneNeed::IfNamed);
 						});
+				}
+				else if (One.Name == "scene" || One.Name == "plugin" || One.Name == "overlay")
+				{
+					FSweepTask Bare;
+					Bare.Set = {{One.Name, One.Value}};
+					CallAt(One.Place, [&] { Inputs.Prepare(Bare); });
 				}
 			}
 		}
