@@ -45,7 +45,7 @@ ExpectWhole() {
 }
 
 # A finished result is the same file for good: its inode and its time do not change.
-Remember() { find out/results -mindepth 3 -name result.json -not -path '*.writing.*' -printf '%i %T@ %p\n' 2>/dev/null | sort; }
+Remember() { find out/results -mindepth 3 -name result.json -not -path '*.writing.*' -printf '%i %T@ %p\n' 2>/dev/null | sort || true; }
 
 Sum() { (cd "$1" && find results plots table.json table.csv sheet.png tasks.jsonl -type f ! -path '*.writing.*' -print0 | sort -z | xargs -0 sha256sum | sha256sum); }
 
@@ -53,29 +53,37 @@ Sum() { (cd "$1" && find results plots table.json table.csv sheet.png tasks.json
 Begin=$(date +%s%N)
 "$Drydock" sweep submit whole >log.txt 2>&1 || Fail submit
 Ms=$((($(date +%s%N) - Begin) / 1000000))
+Begin=$(date +%s%N)
+"$Drydock" sweep reduce whole >log.txt 2>&1 || Fail reduce
+ReduceMs=$((($(date +%s%N) - Begin) / 1000000))
 Whole=$(Sum whole)
 printf 'undisturbed: %s ms, %s\n' $Ms "$Whole"
 
-Round=0 Done=0 Early=0
+Round=0 Done=0 Calls=0
 while [ $Done -lt "$Kills" ]; do
 	Round=$((Round + 1))
 	rm -rf out
 	"$Drydock" sweep plan sweep.json --out out >log.txt 2>&1 || Fail plan
-	for ((Each = 1 + RANDOM % 4; Each > 0 && Done < Kills; --Each, ++Done)); do
+	for ((Each = 2 + RANDOM % 5; Each > 0 && Done < Kills; --Each, ++Calls)); do
 		Before=$(Remember)
-		Kind=$((RANDOM % 4))
+		# Once all is done, reduce is killed. Before that a task's process, the shard that watches it, or submit.
+		if [ "$("$Drydock" sweep status out --json | jq '.tasks - .done')" = 0 ]; then Kind=reduce Span=1; else Kind=$((RANDOM % 3)) Span=0.5; fi
 		case $Kind in
-			3) setsid "$Drydock" sweep reduce out >log.txt 2>&1 & ;;
+			reduce) setsid "$Drydock" sweep reduce out >log.txt 2>&1 & ;;
 			*) setsid "$Drydock" sweep submit out >log.txt 2>&1 & ;;
 		esac
 		Child=$!
-		sleep "$(awk -v Part=$RANDOM -v Ms=$Ms 'BEGIN { print Part / 32768 * Ms / 1000 }')"
-		case $Kind in
-			0) Victim=$(pgrep -f "sweep exec $PWD/out --here" | head -n 1 || true) ;; # a task
-			1) Victim=$(pgrep -f "sweep exec $PWD/out --index" | head -n 1 || true) ;; # a shard
-			*) Victim=$Child ;; # submit, or reduce
-		esac
-		if [ -n "$Victim" ] && kill -KILL "$Victim" 2>/dev/null; then Early=$((Early + 1)); fi
+		[ $Kind = reduce ] && Most=$ReduceMs || Most=$Ms
+		sleep "$(awk -v Part=$RANDOM -v Ms=$Most -v Span=$Span 'BEGIN { print Part / 32768 * Ms * Span / 1000 }')"
+		Victim=
+		while [ -z "$Victim" ] && kill -0 $Child 2>/dev/null; do
+			case $Kind in
+				0) Victim=$(pgrep -f "sweep exec $PWD/out --here" | head -n 1 || true) ;; # a task
+				1) Victim=$(pgrep -f "sweep exec $PWD/out --index" | head -n 1 || true) ;; # a shard
+				*) Victim=$Child ;;
+			esac
+		done
+		if [ -n "$Victim" ] && kill -KILL "$Victim" 2>/dev/null; then Done=$((Done + 1)); fi
 		wait $Child 2>/dev/null || true
 		for ((Wait = 0; Wait < 100; ++Wait)); do pgrep -f "sweep exec $PWD/out" >/dev/null || break; sleep 0.1; done
 		ExpectWhole
@@ -100,4 +108,4 @@ while [ $Done -lt "$Kills" ]; do
 	printf 'round %s: the same bytes after %s kills%s\n' $Round $Done "${Disk:-}"
 	Disk=
 done
-printf '%s kills in %s rounds, %s of them before the end: nothing torn, nothing twice, the same bytes\n' $Done $Round $Early
+printf '%s kills of %s calls in %s rounds: nothing torn, nothing twice, the same bytes\n' $Done $Calls $Round
