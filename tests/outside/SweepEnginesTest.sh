@@ -116,7 +116,12 @@ Submit() {
 }
 Expect() {
 	Until 300 "the end of $1" IsQueueEmpty
-	Until 30 "the page of $1" test -s "$1/sweep.html"
+	if [ "$(Done "$1")" -lt 8 ]; then # a controller that is killed forgets jobs of the last seconds
+		printf 'submitted again with %s of 8 tasks done\n' "$(Done "$1")"
+		"$Drydock" sweep submit "$1" --engine slurm --shards 8 >"$1.log" 2>&1 || Fail "submit $1 again"
+		Until 300 "the end of $1" IsQueueEmpty
+	fi
+	Until 60 "the page of $1" test -s "$1/sweep.html"
 	ExpectSame "$1"
 	local Run
 	Run=$(cat "$1"/log/shard_*.txt | awk '/ tasks run,/ { Sum += $1 } END { print Sum }')
