@@ -239,6 +239,8 @@ void FSweepFolder::RemoveFailure(const FSweepTask& Task) const
 
 std::unique_ptr<FFolderLock> FSweepFolder::TryLock(const FSweepTask& Task) const
 {
+	std::error_code Ignored;
+	Files::create_directories(Path / "running", Ignored); // which no lock takes away, as it would if it had made it
 	try
 	{
 		return std::make_unique<FFolderLock>(GetRunning(Task));
