@@ -58,21 +58,30 @@ bool ReadValueText(const FJsonValue& Value, std::string& OutText, FConfigMessage
 class FStudyReader
 {
 public:
-	FStudyReader(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics)
+	/** FurtherNames: of axes, which the caller knows what to do with. */
+	FStudyReader(const FConfig& InConfig, std::vector<FDiagnostic>& InDiagnostics,
+		const std::vector<std::string>& FurtherNames = {})
 		: Config(InConfig)
 		, Diagnostics(InDiagnostics)
 		, Messages(InConfig.File, InDiagnostics)
 	{
+		FrameNames.insert(FrameNames.end(), FurtherNames.begin(), FurtherNames.end());
+	}
+
+	std::vector<FStudyAxis> ReadAxes(const std::vector<FJsonValue>& Axes)
+	{
+		for (const FJsonValue& Axis : Axes)
+		{
+			ReadAxis(Axis);
+		}
+		return Study.Axes;
 	}
 
 	FStudy Read(const FJsonValue& Value)
 	{
 		const std::vector<FJsonValue>& Axes = Value.GetElements("axes");
 		Study.bBlur = std::ranges::any_of(Axes, NamesAlgorithm);
-		for (const FJsonValue& Axis : Axes)
-		{
-			ReadAxis(Axis);
-		}
+		ReadAxes(Axes);
 		const FJsonValue* Given = Value.Find("axes");
 		if (Given != nullptr && Given->Type == EJsonType::Array && Axes.empty())
 		{
@@ -184,7 +193,8 @@ private:
 				Diagnostics.push_back(Diagnostic);
 			}
 		}
-		else if (!IsConfigPlace(Assignment.Name)) // places are checked with the plugins that they belong to
+		else if (!IsConfigPlace(Assignment.Name) &&
+				 !Contains(FrameNames, Assignment.Name)) // places are checked with the plugins that they belong to
 		{
 			CheckVariable({Assignment.Name, Assignment.Value, PlaceOf(At)}, Messages);
 		}
@@ -197,7 +207,7 @@ private:
 		bool bKnown = Contains(Names, Name);
 		if (!Study.bBlur)
 		{
-			Names = {"precision", "storage"};
+			Names = FrameNames;
 			for (const FSettingField& Field : GetSettingFields())
 			{
 				Names.emplace_back(Field.Name);
@@ -206,8 +216,7 @@ private:
 				FConsoleObjectVisitor::CreateLambda(
 					[&](const TCHAR* Variable, IConsoleObject*) { Names.emplace_back(Variable); }),
 				TEXT(""));
-			bKnown = IsConfigPlace(Name) || Name == "precision" || Name == "storage" ||
-					 FindSettingField(Name) != nullptr ||
+			bKnown = IsConfigPlace(Name) || Contains(FrameNames, Name) || FindSettingField(Name) != nullptr ||
 					 IConsoleManager::Get().FindConsoleVariable(Name.c_str()) != nullptr;
 		}
 		if (!bKnown)
@@ -215,8 +224,8 @@ private:
 			Messages.Error(ErrorUnknownValue, At,
 				"\"" + Name + "\" is " +
 					(Study.bBlur ? "not an axis of a study of blurs; there are " + JoinText(GBlurNames)
-								 : "not a setting, a console variable, precision, storage or a place such as "
-								   "/objects/UMySettings/Intensity") +
+								 : "not a setting, a console variable, " + JoinText(FrameNames) +
+									   " or a place such as /objects/UMySettings/Intensity") +
 					Messages.Suggest(Name, Names));
 		}
 		return bKnown;
@@ -419,6 +428,7 @@ private:
 	const FConfig& Config;
 	std::vector<FDiagnostic>& Diagnostics;
 	FConfigMessages Messages;
+	std::vector<std::string> FrameNames = {"precision", "storage"}; // of what frames vary beside settings
 	FStudy Study;
 };
 
@@ -447,6 +457,12 @@ std::optional<FStudy> ReadStudy(const FConfig& Config, std::vector<FDiagnostic>&
 		Study.Budget.Max = 0.5 / 255.0;
 	}
 	return Study;
+}
+
+std::vector<FStudyAxis> ReadAxes(const FConfig& Config, const FJsonValue& Value,
+	const std::vector<std::string>& FurtherNames, std::vector<FDiagnostic>& Diagnostics)
+{
+	return FStudyReader(Config, Diagnostics, FurtherNames).ReadAxes(Value.GetElements("axes"));
 }
 
 } // namespace Drydock

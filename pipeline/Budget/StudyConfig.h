@@ -83,6 +83,11 @@ struct FStudy
  */
 DRYDOCK_API std::optional<FStudy> ReadStudy(const FConfig& Config, std::vector<FDiagnostic>& Diagnostics);
 
+/** Axes of frames alone, of the member "axes" of Value. FurtherNames: names of axes that the caller knows what to do
+ * with, beside those that a study has. */
+std::vector<FStudyAxis> ReadAxes(const FConfig& Config, const FJsonValue& Value,
+	const std::vector<std::string>& FurtherNames, std::vector<FDiagnostic>& Diagnostics);
+
 /** The value of a name in a list of assignments, or what is given otherwise. */
 DRYDOCK_API std::string GetAssigned(
 	const std::vector<FStudyAssignment>& Set, const std::string& Name, const std::string& Otherwise);

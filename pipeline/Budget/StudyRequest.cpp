@@ -73,7 +73,7 @@ std::string GetStudyFingerprint(const std::string& ConfigText)
 	FContentHash Hash;
 	for (const FJsonMember& Member : Root.Members)
 	{
-		if (Member.Key != "budget" && Member.Key != "outputs" && Member.Key != "$schema")
+		if (Member.Key != "budget" && Member.Key != "outputs" && Member.Key != "$schema" && Member.Key != "sweep")
 		{
 			Hash.Add(Member.Key);
 			AddToHash(Member.Value, Hash);

@@ -7,8 +7,8 @@
 namespace Drydock
 {
 
-/** Hash of what was studied: of a config's members without budget, outputs and $schema; comments and blanks do not
- * count.
+/** Hash of what was studied: of a config's members without budget, outputs, sweep and $schema; comments and blanks
+ * do not count.
  */
 DRYDOCK_API std::string GetStudyFingerprint(const std::string& ConfigText);
 

@@ -91,6 +91,28 @@ std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& O
 	return List;
 }
 
+std::string FormatFrameList(const std::vector<int>& Frames)
+{
+	std::string Text;
+	for (size_t Index = 0; Index < Frames.size();)
+	{
+		const int Step = Index + 1 < Frames.size() ? Frames[Index + 1] - Frames[Index] : 1;
+		size_t Last = Index;
+		while (Last + 1 < Frames.size() && Frames[Last + 1] - Frames[Last] == Step)
+		{
+			++Last;
+		}
+		Last = Step > 1 && Last == Index + 1 ? Index : Last; // two numbers are shorter than a step
+		Text += (Text.empty() ? "" : ",") + std::to_string(Frames[Index]);
+		if (Last > Index)
+		{
+			Text += "-" + std::to_string(Frames[Last]) + (Step > 1 ? "x" + std::to_string(Step) : "");
+		}
+		Index = Last + 1;
+	}
+	return Text;
+}
+
 std::vector<int> ListFrames(const FFrameList& List, const std::vector<int>& Existing)
 {
 	if (List.bAll)

@@ -32,6 +32,9 @@ struct FFrameList
  * OutError is the fault, in a sentence without a full stop. */
 DRYDOCK_API std::optional<FFrameList> ParseFrameList(const std::string& Text, std::string& OutError);
 
+/** A list that names these numbers, which ascend: "1-8,20", "1-9x2". */
+DRYDOCK_API std::string FormatFrameList(const std::vector<int>& Frames);
+
 /** The numbers, ascending. Existing: the numbers that "all" means. */
 DRYDOCK_API std::vector<int> ListFrames(const FFrameList& List, const std::vector<int>& Existing);
 

@@ -38,4 +38,8 @@ DRYDOCK_API void ChooseSceneFrame(FConfig& Config, std::optional<int> Frame);
 DRYDOCK_API std::vector<FSequenceFrame> ChooseSequenceFrames(
 	const FConfig& Config, const std::string& List, const FConfigPlace& Place);
 
+/** The frames of the config's scene before the first of Frames, at the distance of the first two; ascending. */
+DRYDOCK_API std::vector<FSequenceFrame> FindFramesBefore(
+	const FConfig& Config, const std::vector<FSequenceFrame>& Frames);
+
 } // namespace Drydock

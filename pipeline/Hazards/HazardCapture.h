@@ -82,6 +82,9 @@ private:
 DRYDOCK_API std::string MakeHazardText(const FHazardRow& Row, int Width = 0);
 DRYDOCK_API std::string MakeHazardJson(const std::vector<FHazardRow>& Rows);
 
+/** Whether a picture that is finite became NaN: what `drydock hazards` counts as found. */
+DRYDOCK_API bool MakesNaNOfFinite(const FHazardFinding& Finding);
+
 /** Describes in a few words what became of a colour; empty: nothing known. */
 DRYDOCK_API std::string DescribeTone(const std::array<double, 3>& In, const std::array<double, 3>& Out);
 

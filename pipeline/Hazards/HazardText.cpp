@@ -6,6 +6,7 @@
 #include "Text/TextTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Drydock
@@ -139,6 +140,13 @@ std::string MakeHazardJson(const std::vector<FHazardRow>& Rows)
 			Writer.EndObject();
 		});
 	return Writer.GetText();
+}
+
+bool MakesNaNOfFinite(const FHazardFinding& Finding)
+{
+	const bool bInfinite = std::ranges::any_of(std::array{"NaN", "+Inf", "-Inf", "65520", "1e30"},
+		[&](const char* Name) { return Finding.Hazard.starts_with(Name); }); // as a half has it
+	return !bInfinite && Finding.NumNaN > 0;
 }
 
 } // namespace Drydock

@@ -9,7 +9,6 @@
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -83,9 +82,7 @@ void AddCases(const std::vector<FHazardRow>& Rows, FJUnitSuite& Suite)
 		for (const FHazardFinding& Finding : Row.Findings)
 		{
 			FJUnitCase Case{.Name = Of + ": " + Finding.Hazard, .Output = DescribeFinding(Finding)};
-			const bool bInfinite = std::ranges::any_of(std::array{"NaN", "+Inf", "-Inf", "65520", "1e30"},
-				[&](const char* Name) { return Finding.Hazard.starts_with(Name); }); // as a half has it
-			if (!bInfinite && Finding.NumNaN > 0)
+			if (MakesNaNOfFinite(Finding))
 			{
 				Case.Outcome = EJUnitOutcome::Failed;
 				Case.Message = Finding.Hazard + " in place of " + Row.Input + ": " + Case.Output;

@@ -9,9 +9,9 @@
 #include "Program/Verbs.h"
 #include "RangeTools.h"
 #include "Text/JsonWriter.h"
+#include "Text/ShellText.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -43,16 +43,6 @@ void CheckName(const std::string& Name)
 	const std::string Hint = Near.empty() ? "; MyPatch would do" : "; did you mean " + Near + "?";
 	throw FError(
 		{.Code = ErrorPatchName, .Message = "\"" + Name + "\" cannot be a patch's name: " + Why + Hint}, ExitUsage);
-}
-
-std::string QuoteForShell(const std::string& Text)
-{
-	const auto IsPlain = [](char Letter)
-	{
-		return std::isalnum(static_cast<unsigned char>(Letter)) != 0 ||
-			   std::string("_-./+~").find(Letter) != std::string::npos;
-	};
-	return std::all_of(Text.begin(), Text.end(), IsPlain) ? Text : "'" + Text + "'";
 }
 
 /** The prefix that this program is installed in; empty when it runs from its build folder. */

@@ -193,7 +193,10 @@ void AddFiles(const FJsonValue& Value, const FConfig& Config, FRunInputs& Inputs
 	}
 	for (const FJsonMember& Member : Value.Members)
 	{
-		AddFiles(Member.Value, Config, Inputs);
+		if (Member.Value.Pointer != "/sweep") // which names files of other runs
+		{
+			AddFiles(Member.Value, Config, Inputs);
+		}
 	}
 }
 

@@ -66,12 +66,7 @@ void AddPictures(const FRunResult& Result, const Files::path& Folder, EOutputKin
 			WriteExr(
 				File, Result.SceneLinear, GetChannelNames(4), MakeColorAttributes("linear Rec.709, scene-referred"));
 		});
-	Jobs.push_back(
-		[&Result, File = (Folder / "final.exr").string()]
-		{
-			WriteExr(File, Result.Final.Take(3), GetChannelNames(3),
-				MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
-		});
+	Jobs.push_back([&Result, File = (Folder / "final.exr").string()] { WriteFinalExr(Result, File); });
 }
 
 void AddDumps(const FRunResult& Result, const Files::path& Folder, EOutputKind Kind, FJobs& Jobs)
@@ -155,6 +150,12 @@ const FOutputNames& GetRunOutputNames()
 		.Folders = {"passes", "inspect"},
 		.Unsteady = TimedFiles};
 	return Names;
+}
+
+void WriteFinalExr(const FRunResult& Result, const std::string& File)
+{
+	WriteExr(
+		File, Result.Final.Take(3), GetChannelNames(3), MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
 }
 
 double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further)

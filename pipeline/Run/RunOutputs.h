@@ -18,6 +18,9 @@ namespace Drydock
  * inspection. */
 DRYDOCK_API const FOutputNames& GetRunOutputNames();
 
+/** Writes final.exr alone: the picture's numbers, encoded for its device. Throws FError (exit code 3). */
+DRYDOCK_API void WriteFinalExr(const FRunResult& Result, const std::string& File);
+
 /** Called when all other files lie in Aside and writing them took SaveMs; what it writes there are outputs, too. */
 using FFurtherOutputs = std::function<void(const std::filesystem::path& Aside, double SaveMs)>;
 

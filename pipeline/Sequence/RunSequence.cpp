@@ -59,7 +59,7 @@ public:
 		: Options(InOptions)
 		, Session(MakeRunOptions())
 		, Frames(ChooseFrames())
-		, Before(FindBefore())
+		, Before(FindFramesBefore(Session.GetConfig(), Frames))
 		, Lead(Before.end() - std::min<std::ptrdiff_t>(Options.Lead, std::ssize(Before)), Before.end())
 		, Inputs(FindInputs())
 		, Folder(Options.Folder, GetNumDigits(Session.GetConfig().Scene.Sequence))
@@ -103,17 +103,6 @@ private:
 		return Options.Frames.empty()
 				   ? ChooseSequenceFrames(Config, Config.Scene.Frames.Value, Config.Scene.Frames.Place)
 				   : ChooseSequenceFrames(Config, Options.Frames, {0, 0, "--frames"});
-	}
-
-	/** The frames of the scene before the first one, at the distances of those that are asked for. */
-	std::vector<FSequenceFrame> FindBefore() const
-	{
-		const int First = Frames.front().Number;
-		const int Step = Frames.size() > 1 ? Frames[1].Number - First : 1;
-		std::vector<FSequenceFrame> All = ChooseSequenceFrames(Session.GetConfig(), "all", {});
-		std::erase_if(All,
-			[&](const FSequenceFrame& Frame) { return Frame.Number >= First || (First - Frame.Number) % Step != 0; });
-		return All;
 	}
 
 	/** Frames that lead in count by their contents: nothing of them is written. */

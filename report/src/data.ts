@@ -6,6 +6,7 @@ import { MatrixReport } from "./matrix/data";
 import { Pixels } from "./picture/pixels";
 import { SequenceReport } from "./sequence/data";
 import { StudyReport } from "./study/data";
+import { SweepReport } from "./sweep/data";
 
 export interface Use {
 	resource: number;
@@ -233,7 +234,7 @@ export interface Report {
 	thumbnailsLeftOut: number;
 }
 
-export type AnyReport = Report | StudyReport | DiffReport | SequenceReport | MatrixReport;
+export type AnyReport = Report | StudyReport | DiffReport | SequenceReport | MatrixReport | SweepReport;
 
 export function fromBase64(text: string): Uint8Array {
 	const binary = atob(text);

@@ -18,6 +18,8 @@ import { SequenceReport } from "./sequence/data";
 import { SequencePage } from "./sequence/page";
 import { StudyReport } from "./study/data";
 import { StudyPanel } from "./study/page";
+import { SweepReport } from "./sweep/data";
+import { SweepPage } from "./sweep/page";
 
 /** The contents of a kind of page: what it is, its sections, the line under that, and its own keys. */
 interface Contents {
@@ -90,12 +92,22 @@ function makeMatrix(report: MatrixReport): Contents {
 	};
 }
 
+function makeSweep(report: SweepReport): Contents {
+	const page = new SweepPage(report);
+	const { config, rows, axes } = report.sweep;
+	return {
+		intro: `This page shows what changes over ${axes.map((axis) => axis.name).join(", ")}, as computed by ${program}.`,
+		note: [config, `${rows.length} tasks`], sections: page.sections, parts: page.parts, keys: {}, picture: page.picture,
+	};
+}
+
 function makeContents(report: AnyReport): Contents {
 	switch (report.kind) {
 		case "study": return makeStudy(report);
 		case "diff": return makeDiff(report);
 		case "sequence": return makeSequence(report);
 		case "matrix": return makeMatrix(report);
+		case "sweep": return makeSweep(report);
 		default: return makeRun(report);
 	}
 }

@@ -24,6 +24,8 @@ Pair=("$Work/strong" "$Work/weak")
 "$Drydock" run "$Source/configs/volumes_walk.json" --frames all --out "$Work/walk" --report >/dev/null
 "$Drydock" run "$Source/configs/volumes_walk.json" --frame 4 --out "$Work/walk4" --report >/dev/null
 "$Drydock" matrix "$Source/tests/plugins/ShowUV" --versions 5.4-5.5 --out "$Work/matrix" --report >/dev/null
+"$Drydock" sweep plan "$Source/configs/sweep.json" --out "$Work/sweep" >/dev/null
+"$Drydock" sweep submit "$Work/sweep" >/dev/null
 DRYDOCK=$(realpath "$Drydock") SOURCE=$(realpath "$Source")
 export CHROMIUM REPORT_RUNS=$Work DRYDOCK SOURCE
 cd "$Source/report"

@@ -32,7 +32,7 @@ const std::map<std::string, FSteps> GRooms = {
 	{"pipeline", {{"Text"}, {"Picture"}, {"Scenes"}, {"Config"}, {"Objects"}, {"SceneFile"}, {"Effects"},
 					 {"Extensions"}, {"Patch"}, {"Overlay"}, {"Chain"}, {"Frame"}, {"Budget"}, {"Run"},
 					 {"Sequence", "Study", "Blend", "Import", "Inspect", "Prove", "Hazards", "Flicker"},
-					 {"Matrix", "Report"}, {"Live"}, {"Program"}}},
+					 {"Matrix", "Report"}, {"Sweep"}, {"Live"}, {"Program"}}},
 };
 
 /** The storey that a path from the root begins with. */

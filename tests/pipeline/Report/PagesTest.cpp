@@ -1,5 +1,5 @@
-// The pages of `drydock diff`, of a sequence and of `drydock matrix`: when they are written, what they refuse, the form
-// of their data, and how small pictures get.
+// The pages of `drydock diff`, of a sequence, of `drydock matrix` and of a sweep: when they are written, what they
+// refuse, the form of their data, and how small pictures get.
 #include <gtest/gtest.h>
 
 #include "Matrix/MatrixTable.h"
@@ -172,6 +172,21 @@ TEST(MatrixPage, HasTheTableAndThePicturesThatDiffer)
 	EXPECT_EQ("no </script>", Data["matrix"]["versions"][0]["firstError"]["text"]);
 	EXPECT_EQ("5.4", Data["pictures"][0]["id"]);
 	EXPECT_EQ(FJson({20, 10}), Data["pictures"][0]["size"]);
+}
+
+TEST(SweepPage, HasTheTableThePlotsAndAPictureOfEachTask)
+{
+	const FProgramFolder Folder("page_sweep");
+	Folder.WriteFrame("sweep.json",
+		R"(, "sweep": {"axes": [{"name": "r.BloomQuality", "values": [1, 5]}, {"name": "BloomIntensity", "values": [1, 2]}]})");
+	EXPECT_EQ(0, Folder.Call("sweep plan sweep.json --out out").ExitCode);
+	EXPECT_EQ(0, Folder.Call("sweep submit out").ExitCode);
+	const FJson Data = ReadData(Folder, "out/sweep.html");
+	EXPECT_EQ(std::vector<std::string>(), CheckData(Data, "sweep.schema.json"));
+	EXPECT_EQ(FJson::parse(Folder.Read("out/table.json")), Data["sweep"]);
+	EXPECT_EQ(4u, Data["pictures"].size());
+	EXPECT_EQ(2u, Data["plots"].size());
+	EXPECT_EQ(2u, Data["plots"][1]["panels"][0]["series"].size());
 }
 
 TEST(FitPictures, HalvesTheHeaviestTogetherUntilAllFit)
