@@ -21,6 +21,27 @@ namespace Drydock
 namespace
 {
 
+/** Ends a run when a change of the state waits. */
+class FGiveWay final : public IDispatchObserver
+{
+public:
+	explicit FGiveWay(const FLiveSession& InSession)
+		: Session(InSession)
+	{
+	}
+
+	void BeforeDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile&) override
+	{
+		if (Session.NumChanges > 0)
+		{
+			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
+		}
+	}
+
+private:
+	const FLiveSession& Session;
+};
+
 /** For a run beside the frame's, which computes every pass. */
 FRunOptions BeginOwnRun(FLiveSession& Session)
 {
@@ -74,8 +95,20 @@ FStudy FindStudy(FLiveSession& Session)
 
 } // namespace
 
-FPicture ReadPassPicture(FLiveSession& Session, int Pass, const std::string& Resource)
+int ReadAskedNumber(const FJsonValue& Asked, const std::string& Name)
 {
+	const std::string Text = Asked.GetString(Name);
+	if (const std::optional<int> Number = ParseAll<int>(Text))
+	{
+		return *Number;
+	}
+	throw FError({.Code = ErrorBadEdit, .Message = "'" + Text + "' is not a whole number", .Where = Name}, ExitUsage);
+}
+
+FPicture ReadPassPicture(FLiveSession& Session, const FJsonValue& Asked)
+{
+	const int Pass = ReadAskedNumber(Asked, "pass");
+	const std::string Resource = Asked.GetString("resource");
 	FRunOptions Options = BeginOwnRun(Session);
 	Options.Dump = {Resource};
 	const FRunResult Result = RunConfig(Options);
@@ -92,7 +125,7 @@ FPicture ReadPassPicture(FLiveSession& Session, int Pass, const std::string& Res
 		ExitUsage);
 }
 
-std::string MakeLiveReport(FLiveSession& Session)
+std::string MakeLiveReport(FLiveSession& Session, const FJsonValue&)
 {
 	FRunOptions Options = BeginOwnRun(Session);
 	Options.bKeepForReport = true;
@@ -100,28 +133,29 @@ std::string MakeLiveReport(FLiveSession& Session)
 	return MakeRunReportData(Options, Result);
 }
 
-std::string MakeLedgerJson(FLiveSession& Session, const std::string& Setting)
+std::string MakeLedgerJson(FLiveSession& Session, const FJsonValue& Asked)
 {
-	const std::vector<size_t> Fields = FindSettings({Setting});
+	const std::vector<size_t> Fields = FindSettings({Asked.GetString("setting")});
 	const FRunSetup Setup(BeginOwnRun(Session));
 	return MakeBlendJson(MakeBlendReport(Setup, "view", Setup.Config.Plugins.empty()), Fields);
 }
 
-std::string ProbeLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+std::string ProbeLive(FLiveSession& Session, const FJsonValue& Asked)
 {
+	const std::string Pass = Asked.GetString("pass");
 	FProbeRequest Request;
-	Request.X = X;
-	Request.Y = Y;
+	Request.X = ReadAskedNumber(Asked, "x");
+	Request.Y = ReadAskedNumber(Asked, "y");
 	Request.Passes = Pass.empty() ? "*" : Pass;
 	const FProbedRun Probed = ProbeRun(BeginOwnRun(Session), Request);
 	return MakeAnswer(MakeProbeText(Probed.Passes, {}, Request), MakeProbeJson(Probed.Passes, {}, Request));
 }
 
-std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+std::string TraceLive(FLiveSession& Session, const FJsonValue& Asked)
 {
 	FTraceRequest Request;
-	Request.Pass = Pass;
-	Request.At = {X, Y, 0};
+	Request.Pass = Asked.GetString("pass");
+	Request.At = {ReadAskedNumber(Asked, "x"), ReadAskedNumber(Asked, "y"), 0};
 	FTraceCapture Capture(Request);
 	{
 		const FScopedDispatchObserver Scope(Capture);
@@ -135,26 +169,19 @@ std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pa
 	return MakeAnswer(Text, MakeTraceJson(Capture.GetTraces(), Request));
 }
 
-std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsLate)
+std::string MeasurePrice(FLiveSession& Session, const FJsonValue&)
 {
 	constexpr int NumRuns = 5;
-	const auto CheckTime = [&]
-	{
-		if (IsLate())
-		{
-			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
-		}
-	};
 	const FStudy Study = FindStudy(Session);
 	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
+	FGiveWay GiveWay(Session);
+	const FScopedDispatchObserver Scope(GiveWay);
 	FMeasured Measured = Subject->Run({}); // warms up
 	std::vector<double> Times;
 	for (int Run = 0; Run < NumRuns; ++Run)
 	{
-		CheckTime();
 		Times.push_back(Subject->Run({}).Milliseconds);
 	}
-	CheckTime();
 	std::ranges::sort(Times);
 	const FMeasured Exact = Subject->RunReference({});
 	FLiveDot Dot{

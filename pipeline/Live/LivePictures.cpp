@@ -6,9 +6,6 @@
 
 #include <Imath/half.h>
 
-#include <algorithm>
-#include <cstring>
-
 namespace Drydock
 {
 
@@ -16,23 +13,6 @@ namespace
 {
 
 constexpr size_t NumLast = 3;
-
-/** Calls Convert for each row, on all threads. */
-template<typename TConvert>
-void ForEachRow(const FPicture& Picture, const TConvert& Convert)
-{
-	constexpr int32 Rows = 16;
-	ForEachTile(FKernelTile{0, 0, 0, 1, Picture.Height, 1}, FIntPoint(1, Rows),
-		[&](const FKernelTile& Tile)
-		{
-			std::vector<float> Row(static_cast<size_t>(Picture.Width) * static_cast<size_t>(Picture.NumChannels));
-			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
-			{
-				Picture.ReadRow(Y, Row.data());
-				Convert(Y, Row.data());
-			}
-		});
-}
 
 } // namespace
 
@@ -44,11 +24,17 @@ std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRu
 	const FPicture& Final = Result.Final;
 	const size_t Width = static_cast<size_t>(Final.Width);
 	Made->Codes.assign(Width * static_cast<size_t>(Final.Height) * 4, '\xff');
-	ForEachRow(Final,
-		[&](int Y, const float* Row)
+	constexpr int32 Rows = 16;
+	ForEachTile(FKernelTile{0, 0, 0, 1, Final.Height, 1}, FIntPoint(1, Rows),
+		[&](const FKernelTile& Tile)
 		{
-			uint8_t* To = reinterpret_cast<uint8_t*>(Made->Codes.data()) + static_cast<size_t>(Y) * Width * 4;
-			MakeDisplayRow(Row, Final.Width, Final.NumChannels, Result.OutputDevice, To, 4);
+			std::vector<float> Row(Width * static_cast<size_t>(Final.NumChannels));
+			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
+			{
+				uint8_t* const To = reinterpret_cast<uint8_t*>(Made->Codes.data()) + static_cast<size_t>(Y) * Width * 4;
+				Final.ReadRow(Y, Row.data());
+				MakeDisplayRow(Row.data(), Final.Width, Final.NumChannels, Result.OutputDevice, To, 4);
+			}
 		});
 	return Made;
 }
@@ -59,27 +45,20 @@ std::string MakeFloatBytes(const FPicture& Picture, bool bAsFile)
 	const size_t Width = static_cast<size_t>(Picture.Width);
 	const size_t NumChannels = static_cast<size_t>(Picture.NumChannels);
 	std::string Bytes(Width * static_cast<size_t>(Picture.Height) * 4 * sizeof(float), '\0');
+	float* To = reinterpret_cast<float*>(Bytes.data());
 	std::vector<float> Row(Width * NumChannels);
-	std::vector<float> Texels(Width * 4);
 	for (int Y = 0; Y < Picture.Height; ++Y)
 	{
 		Picture.ReadRow(Y, Row.data());
-		if (bHalf)
+		for (size_t X = 0; X < Width; ++X, To += 4)
 		{
-			std::ranges::transform(
-				Row, Row.begin(), [](float Value) { return imath_half_to_float(imath_float_to_half(Value)); });
-		}
-		for (size_t X = 0; X < Width; ++X)
-		{
-			for (size_t Channel = 0; Channel < 4; ++Channel)
+			To[3] = 1.0f;
+			for (size_t Channel = 0; Channel < NumChannels; ++Channel)
 			{
-				Texels[X * 4 + Channel] = Channel < NumChannels ? Row[X * NumChannels + Channel]
-										  : Channel == 3        ? 1.0f
-																: 0.0f;
+				const float Value = Row[X * NumChannels + Channel];
+				To[Channel] = bHalf ? imath_half_to_float(imath_float_to_half(Value)) : Value;
 			}
 		}
-		std::memcpy(Bytes.data() + static_cast<size_t>(Y) * Width * 4 * sizeof(float), Texels.data(),
-			Texels.size() * sizeof(float));
 	}
 	return Bytes;
 }

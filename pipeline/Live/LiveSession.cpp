@@ -1,9 +1,11 @@
 // Checks each state by setting up its run, which the frame then uses.
 #include "Live/LiveSession.h"
 
+#include "Config/SettingsJson.h"
 #include "DispatchReuse.h"
 #include "Live/LiveErrors.h"
 #include "Live/LiveJson.h"
+#include "RangeTools.h"
 #include "Run/RunFiles.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/JsonWriter.h"
@@ -27,19 +29,30 @@ double MillisecondsSince(std::chrono::steady_clock::time_point Begin)
 	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 }
 
-std::string MakeLine(const std::string& Key, const std::string& Json)
+FJsonValue ParseObject(const std::string& Text)
 {
-	return "{" + FJsonWriter::Quote(Key) + ": " + Json + "}";
+	std::vector<FDiagnostic> Faults;
+	bool bSyntaxError = false;
+	return ParseJson(Text, "", Faults, bSyntaxError);
 }
 
-std::string MakeEditLine(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
+/** Where the scene gives the volumes, an edit of one writes them all into the config first. */
+void WriteSceneVolumes(const FConfig& Config, FJsonValue& Change)
 {
-	std::string List;
-	for (const FConfigEdit& Edit : Edits)
+	const auto Edits = std::ranges::find(Change.Members, "edits", &FJsonMember::Key);
+	const bool bVolume =
+		Edits != Change.Members.end() && std::ranges::any_of(Edits->Value.Elements, [](const FJsonValue& Edit)
+											 { return Edit.GetString("set").starts_with("/volumes/"); });
+	if (!bVolume || !Config.VolumesFromScene.Value)
 	{
-		List += (List.empty() ? "" : ", ") + WriteEdit(Edit);
+		return;
 	}
-	return "{\"edits\": [" + List + "]" + (Drag.empty() ? "" : ", \"drag\": " + FJsonWriter::Quote(Drag)) + "}";
+	std::vector<FDiagnostic> Ignored; // shapes that are not boxes, which no scene gives
+	FJsonWriter Writer('{');
+	Writer.Member("set", "/volumes");
+	WriteVolumes(Writer.Key("value"), ToVector<FVolumeText>(Config.Volumes, [&](const FConfigVolume& Volume)
+										  { return MakeVolumeText(Volume, Config.File, Ignored); }));
+	Edits->Value.Elements.insert(Edits->Value.Elements.begin(), ParseObject(Writer.GetText()));
 }
 
 } // namespace
@@ -91,40 +104,20 @@ const FConfig& FLiveSession::BeginRun()
 	return Run->GetConfig();
 }
 
-void FLiveSession::Take(
-	const std::string& Text, FEditHistory::EMove Move, const std::string& Line, const std::string& Drag)
+void FLiveSession::Change(FJsonValue Change)
 {
-	Prepare(Text);
-	History.Take(Text, Move, Line, Drag);
+	WriteSceneVolumes(BeginRun(), Change);
+	const FEditHistory::FNext Next = History.Plan(Change);
+	if (Next.bForward && Next.Text == History.GetText())
+	{
+		return;
+	}
+	Prepare(Next.Text);
+	History.Take(Next);
 	CrashJson = "null";
 	bFrameWanted = true;
 	bNewFiles = true;
 	TellState();
-}
-
-void FLiveSession::Edit(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
-{
-	const std::string Text = History.Edit(Edits);
-	if (Text != History.GetText())
-	{
-		Take(Text, FEditHistory::EMove::Forward, MakeEditLine(Edits, Drag), FEditHistory::MakeDrag(Drag, Edits));
-	}
-}
-
-void FLiveSession::Undo()
-{
-	Take(History.Undo(), FEditHistory::EMove::Undo, MakeLine("undo", "true"));
-}
-
-void FLiveSession::Redo()
-{
-	Take(History.Redo(), FEditHistory::EMove::Redo, MakeLine("redo", "true"));
-}
-
-void FLiveSession::Reset(const std::optional<std::string>& Pointer)
-{
-	Take(History.Reset(Pointer), FEditHistory::EMove::Forward,
-		MakeLine("reset", Pointer ? FJsonWriter::Quote(*Pointer) : "null"));
 }
 
 int FLiveSession::Pin(const std::string& Name)
@@ -255,7 +248,7 @@ void FLiveSession::LookAtFiles()
 	}
 	try
 	{
-		Take(Text, FEditHistory::EMove::Forward, MakeLine("text", FJsonWriter::Quote(Text)));
+		Change(ParseObject("{\"text\": " + FJsonWriter::Quote(Text) + "}"));
 	}
 	catch (...)
 	{

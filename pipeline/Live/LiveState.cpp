@@ -296,7 +296,7 @@ std::string MakeDisplayName(const std::string& Name, bool bBool)
 	return Display;
 }
 
-std::string MakeStateJson(FLiveSession& Session)
+std::string MakeStateJson(FLiveSession& Session, const FJsonValue&)
 {
 	return FStateWriter(Session, Session.BeginRun()).Write();
 }
