@@ -25,7 +25,4 @@ std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double Wh
 /** All that a page shows of a session. Begins its run. */
 std::string MakeStateJson(FLiveSession& Session, const FJsonValue& Asked);
 
-/** A name as the engine's editor shows it where nobody gives another: "Bloom Intensity" of BloomIntensity. */
-DRYDOCK_API std::string MakeDisplayName(const std::string& Name, bool bBool);
-
 } // namespace Drydock

@@ -8,6 +8,7 @@
 #include "Text/TextFile.h"
 #include "TextTools.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>

@@ -101,7 +101,7 @@ TEST_F(LiveServer, ShowsWhatRunWritesOfTheSavedConfig)
 	{
 		if (Setting["name"] == "BloomIntensity")
 		{
-			EXPECT_EQ("Bloom Intensity", Setting["display"]);
+			EXPECT_EQ("Intensity", Setting["display"]);
 			EXPECT_EQ("Lens|Bloom", Setting["category"]);
 			EXPECT_EQ(2.75, Setting["value"]);
 			EXPECT_EQ(2, Setting["start"]);
@@ -163,7 +163,7 @@ TEST_F(LiveServer, AMistakeIsRefusedAndTheStateStays)
 	EXPECT_EQ("DD1012", Name.Code());
 	EXPECT_EQ("DD1120", Program.Post("/api/edit", {{"edits", {{{"remove", "/camera"}}}}}).Code());
 	EXPECT_EQ("DD1120", Program.Post("/api/edit", FJson::object()).Code());
-	EXPECT_EQ(422, Program.Post("/api/undo").Status);
+	EXPECT_EQ(422, Program.Change("undo").Status);
 	EXPECT_EQ(Before["revision"], Program.State()["revision"]);
 	EXPECT_FALSE(Program.State()["changed"]);
 }
@@ -194,22 +194,22 @@ TEST_F(LiveServer, UndoRedoResetAndPinsAreTheServers)
 		Program.State()["pins"]);
 	const std::string Bright = Program.Get("/api/picture/now?kind=final8").Body;
 	EXPECT_NE(Start, Bright);
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
 	EXPECT_EQ(3.0, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/redo").Status);
+	EXPECT_EQ(200, Program.Change("redo").Status);
 	EXPECT_EQ(5.0, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/reset", {{"pointer", "/camera/Settings/BloomIntensity"}}).Status);
+	EXPECT_EQ(200, Program.Change("reset", "/camera/Settings/BloomIntensity").Status);
 	EXPECT_EQ(1.5, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
-	EXPECT_EQ(200, Program.Post("/api/reset", FJson::object()).Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
+	EXPECT_EQ(200, Program.Change("reset").Status);
 	EXPECT_EQ(1.5, GetBloom());
 	EXPECT_FALSE(Program.State()["changed"]);
 	EXPECT_EQ(Start, Program.Get("/api/picture/now?kind=final8").Body);
 	EXPECT_EQ(Start, Program.Get("/api/picture/start?kind=final8").Body);
 	EXPECT_EQ(Bright, Program.Get("/api/picture/pin-" + Pin.dump() + "?kind=final8").Body);
-	EXPECT_EQ(200, Program.Ask("DELETE", "/api/pin/" + Pin.dump(), Program.MakeHeaders()).Status);
+	EXPECT_EQ(200, Program.Post("/api/unpin", {{"pin", Pin}}).Status);
 	EXPECT_EQ(404, Program.Get("/api/picture/pin-" + Pin.dump() + "?kind=final8").Status);
-	EXPECT_EQ(422, Program.Ask("DELETE", "/api/pin/x", Program.MakeHeaders()).Status);
+	EXPECT_EQ(422, Program.Post("/api/unpin", {{"pin", "x"}}).Status);
 }
 
 TEST_F(LiveServer, SavesBesideTheConfigOrUnderOutAndNowhereElse)
@@ -416,6 +416,6 @@ TEST_F(LiveServer, NewestWinsUnderAFlood)
 		}
 	}
 	EXPECT_LT(NumFrames, NumEdits);
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
 	EXPECT_FALSE(Program.State()["canUndo"]);
 }
