@@ -25,4 +25,7 @@ std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double Wh
 /** All that a page shows of a session. Begins its run. */
 std::string MakeStateJson(FLiveSession& Session, const FJsonValue& Asked);
 
+/** {"pictures"}: files beside the config and one folder below, at most 200, as the config would name them. */
+std::string ListPictures(FLiveSession& Session, const FJsonValue& Asked);
+
 } // namespace Drydock

@@ -115,6 +115,7 @@ std::string GetRecord(FLiveSession& Session, const FJsonValue&)
 /** The requests that the session's thread answers with JSON, or with text. */
 const std::map<std::string, std::string (*)(FLiveSession& Session, const FJsonValue& Asked)> Routes = {
 	{"GET /api/state", MakeStateJson},
+	{"GET /api/pictures", ListPictures},
 	{"GET /api/session", GetRecord},
 	{"GET /api/text", MakeLiveText},
 	{"GET /api/report/now", MakeLiveReport},

@@ -36,23 +36,22 @@ FJsonValue ParseObject(const std::string& Text)
 	return ParseJson(Text, "", Faults, bSyntaxError);
 }
 
-/** Where the scene gives the volumes, an edit of one writes them all into the config first. */
-void WriteSceneVolumes(const FConfig& Config, FJsonValue& Change)
+bool EditsVolume(const FJsonValue& Change)
 {
-	const auto Edits = std::ranges::find(Change.Members, "edits", &FJsonMember::Key);
-	const bool bVolume =
-		Edits != Change.Members.end() && std::ranges::any_of(Edits->Value.Elements, [](const FJsonValue& Edit)
-											 { return Edit.GetString("set").starts_with("/volumes/"); });
-	if (!bVolume || !Config.VolumesFromScene.Value)
-	{
-		return;
-	}
+	return std::ranges::any_of(Change.GetElements("edits"),
+		[](const FJsonValue& Edit) { return Edit.GetString("set").starts_with("/volumes/"); });
+}
+
+/** The edits, behind one that writes the volumes of the config into its text. */
+void WriteVolumesFirst(const FConfig& Config, FJsonValue& Change)
+{
 	std::vector<FDiagnostic> Ignored; // shapes that are not boxes, which no scene gives
 	FJsonWriter Writer('{');
 	Writer.Member("set", "/volumes");
 	WriteVolumes(Writer.Key("value"), ToVector<FVolumeText>(Config.Volumes, [&](const FConfigVolume& Volume)
 										  { return MakeVolumeText(Volume, Config.File, Ignored); }));
-	Edits->Value.Elements.insert(Edits->Value.Elements.begin(), ParseObject(Writer.GetText()));
+	std::vector<FJsonValue>& Edits = std::ranges::find(Change.Members, "edits", &FJsonMember::Key)->Value.Elements;
+	Edits.insert(Edits.begin(), ParseObject(Writer.GetText()));
 }
 
 } // namespace
@@ -104,10 +103,13 @@ const FConfig& FLiveSession::BeginRun()
 	return Run->GetConfig();
 }
 
-void FLiveSession::Change(FJsonValue Change)
+void FLiveSession::Change(FJsonValue Asked)
 {
-	WriteSceneVolumes(BeginRun(), Change);
-	const FEditHistory::FNext Next = History.Plan(Change);
+	if (EditsVolume(Asked) && BeginRun().VolumesFromScene.Value)
+	{
+		WriteVolumesFirst(Run->GetConfig(), Asked);
+	}
+	const FEditHistory::FNext Next = History.Plan(Asked);
 	if (Next.bForward && Next.Text == History.GetText())
 	{
 		return;

@@ -59,9 +59,9 @@ public:
 	const FLiveOptions& GetOptions() const { return Options; }
 	const FEditHistory& GetHistory() const { return History; }
 
-	/** Changes the state (FEditHistory::Plan). One that does not check is refused, and the one before stays: throws
-	 * FError. */
-	void Change(FJsonValue Change);
+	/** Changes the state (FEditHistory::Plan); where the scene gives the volumes, an edit of one writes them all into
+	 * the config first. A state that does not check is refused, and the one before stays: throws FError. */
+	void Change(FJsonValue Asked);
 
 	/** Keeps the state and its picture. Returns the pin's number. */
 	int Pin(const std::string& Name);

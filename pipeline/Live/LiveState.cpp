@@ -4,6 +4,7 @@
 #include "HAL/ConsoleVariableTools.h"
 #include "Live/LiveJson.h"
 #include "Live/LiveSession.h"
+#include "Picture/ImageFormat.h"
 #include "RangeTools.h"
 #include "Run/FinalSettings.h"
 #include "SettingDisplayNames.h"
@@ -286,6 +287,30 @@ private:
 };
 
 } // namespace
+
+std::string ListPictures(FLiveSession& Session, const FJsonValue&)
+{
+	namespace Files = std::filesystem;
+	constexpr size_t Most = 200;
+	const Files::path Home = Files::path(Session.GetHistory().GetFile()).parent_path();
+	std::set<std::string> Pictures;
+	std::error_code Error;
+	for (Files::recursive_directory_iterator Entry(Home.empty() ? "." : Home, Error), End;
+		 !Error && Entry != End && Pictures.size() < Most; Entry.increment(Error))
+	{
+		if (Entry.depth() > 0)
+		{
+			Entry.disable_recursion_pending();
+		}
+		if (IsImagePath(Entry->path().string()))
+		{
+			Pictures.insert(Entry->path().lexically_relative(Home.empty() ? "." : Home).generic_string());
+		}
+	}
+	FJsonWriter Writer('{');
+	Writer.Member("pictures", Pictures);
+	return Writer.GetText();
+}
 
 std::string MakeStateJson(FLiveSession& Session, const FJsonValue&)
 {

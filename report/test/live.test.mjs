@@ -14,7 +14,7 @@ const slider = "#set-BloomIntensity";
 const box = '[data-setting="BloomIntensity"] .number-box';
 
 /** Edits that the page sent so far, of one place in the config. */
-const edits = (mock, pointer = "") => mock.log.filter(({ path, body }) => path === "edit" && JSON.stringify(body).includes(pointer));
+const edits = (mock, pointer = "") => mock.log.filter(({ path, body }) => path === "edit" && body.edits && JSON.stringify(body).includes(pointer));
 
 async function withMock(test, { mock: options, ...more } = {}) {
 	const mock = await startMock(options);

@@ -28,7 +28,7 @@ async function send(path: string, method: string, body?: unknown): Promise<Respo
 
 export const getText = async (path: string): Promise<string> => (await send(path, "GET")).text();
 export const get = async <T>(path: string): Promise<T> => JSON.parse(await getText(path)) as T;
-export const post = async <T>(path: string, body: unknown = {}, method = "POST"): Promise<T> => (await send(path, method, body)).json() as Promise<T>;
+export const post = async <T>(path: string, body: unknown = {}): Promise<T> => (await send(path, "POST", body)).json() as Promise<T>;
 
 /** A picture as bytes for the display, or as numbers. */
 export async function getPicture(id: string | number, query: string): Promise<Pixels> {
