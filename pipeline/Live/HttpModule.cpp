@@ -256,6 +256,13 @@ private:
 		{
 			Response.set_header(Name.c_str(), Value);
 		}
+		if (Answered.Shared)
+		{
+			Response.set_content_provider(Answered.Shared->size(), Answered.Type,
+				[Shared = Answered.Shared](size_t Offset, size_t Length, httplib::DataSink& Sink)
+				{ return Sink.write(Shared->data() + Offset, Length); });
+			return;
+		}
 		if (!Answered.Next)
 		{
 			Response.body = std::move(Answered.Body);

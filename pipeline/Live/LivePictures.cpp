@@ -6,6 +6,8 @@
 
 #include <Imath/half.h>
 
+#include <algorithm>
+
 namespace Drydock
 {
 
@@ -16,27 +18,38 @@ constexpr size_t NumLast = 3;
 
 } // namespace
 
-std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRunResult& Result)
+std::string ShrinkCodes(const FLivePicture& Picture, int Step)
 {
-	const auto Made = std::make_shared<FLivePicture>();
-	Made->Revision = Revision;
-	Made->Final = Result.Final;
-	const FPicture& Final = Result.Final;
-	const size_t Width = static_cast<size_t>(Final.Width);
-	Made->Codes.assign(Width * static_cast<size_t>(Final.Height) * 4, '\xff');
-	constexpr int32 Rows = 16;
-	ForEachTile(FKernelTile{0, 0, 0, 1, Final.Height, 1}, FIntPoint(1, Rows),
-		[&](const FKernelTile& Tile)
+	const int Width = Picture.Final.Width, Height = Picture.Final.Height;
+	std::string Small;
+	Small.reserve(static_cast<size_t>((Width + Step - 1) / Step) * static_cast<size_t>((Height + Step - 1) / Step) * 4);
+	const auto* const Codes = reinterpret_cast<const unsigned char*>(Picture.Codes.data());
+	for (int Top = 0; Top < Height; Top += Step)
+	{
+		for (int Left = 0; Left < Width; Left += Step)
 		{
-			std::vector<float> Row(Width * static_cast<size_t>(Final.NumChannels));
-			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
+			const int Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
+			const unsigned Count = static_cast<unsigned>((Right - Left) * (Bottom - Top));
+			unsigned Sums[4] = {};
+			for (int Y = Top; Y < Bottom; ++Y)
 			{
-				uint8_t* const To = reinterpret_cast<uint8_t*>(Made->Codes.data()) + static_cast<size_t>(Y) * Width * 4;
-				Final.ReadRow(Y, Row.data());
-				MakeDisplayRow(Row.data(), Final.Width, Final.NumChannels, Result.OutputDevice, To, 4);
+				const unsigned char* Code =
+					Codes + (static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(Left)) * 4;
+				for (int X = Left; X < Right; ++X, Code += 4)
+				{
+					for (int Channel = 0; Channel < 4; ++Channel)
+					{
+						Sums[Channel] += Code[Channel];
+					}
+				}
 			}
-		});
-	return Made;
+			for (const unsigned Sum : Sums)
+			{
+				Small += static_cast<char>((Sum + Count / 2) / Count);
+			}
+		}
+	}
+	return Small;
 }
 
 std::string MakeFloatBytes(const FPicture& Picture, bool bAsFile)
@@ -63,15 +76,44 @@ std::string MakeFloatBytes(const FPicture& Picture, bool bAsFile)
 	return Bytes;
 }
 
-void FLivePictures::Add(const FHandle& Picture)
+void FLivePictures::Add(uint64_t Revision, const FRunResult& Result)
 {
-	const std::lock_guard Lock(Mutex);
-	Kept.emplace("start", Picture);
-	Last.push_front(Picture);
-	if (Last.size() > NumLast)
+	const std::shared_ptr<FLivePicture> Made(new FLivePicture,
+		[this](FLivePicture* Picture)
+		{
+			const std::lock_guard Lock(Mutex);
+			Spare = std::move(Picture->Codes);
+			delete Picture;
+		});
 	{
-		Last.pop_back();
+		const std::lock_guard Lock(Mutex);
+		Last.resize(std::min(Last.size(), NumLast - 1));
+		Made->Codes = std::move(Spare); // new memory costs milliseconds
 	}
+	Made->Revision = Revision;
+	Made->Final = Result.Final;
+	const FPicture& Final = Result.Final;
+	const size_t Width = static_cast<size_t>(Final.Width);
+	Made->Codes.resize(Width * static_cast<size_t>(Final.Height) * 4);
+	constexpr int32 Rows = 16;
+	ForEachTile(FKernelTile{0, 0, 0, 1, Final.Height, 1}, FIntPoint(1, Rows),
+		[&](const FKernelTile& Tile)
+		{
+			std::vector<float> Row(Width * static_cast<size_t>(Final.NumChannels));
+			for (int32 Y = Tile.MinY; Y < Tile.MaxY; ++Y)
+			{
+				uint8_t* const To = reinterpret_cast<uint8_t*>(Made->Codes.data()) + static_cast<size_t>(Y) * Width * 4;
+				Final.ReadRow(Y, Row.data());
+				MakeDisplayRow(Row.data(), Final.Width, Final.NumChannels, Result.OutputDevice, To, 4);
+				for (size_t X = 0; X < Width; ++X)
+				{
+					To[X * 4 + 3] = 255;
+				}
+			}
+		});
+	const std::lock_guard Lock(Mutex);
+	Kept.emplace("start", Made);
+	Last.push_front(Made);
 }
 
 void FLivePictures::Keep(const std::string& Name)

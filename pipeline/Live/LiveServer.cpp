@@ -24,6 +24,8 @@ constexpr const char* Policy =
 	"default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
 	"blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
+constexpr int MaxStep = 64; // of a smaller picture
+
 const std::string PicturePath = "GET /api/picture/";
 
 std::string MakeToken()
@@ -85,7 +87,9 @@ FJsonValue ReadAsked(const FHttpRequest& Request)
 	}
 	for (const auto& [Name, Text] : Request.Query)
 	{
-		Asked.Members.push_back({Name, FJsonValue{.Type = EJsonType::String, .String = Text}});
+		FJsonValue& Value = Asked.Members.emplace_back(FJsonMember{Name, {}}).Value;
+		Value.Type = EJsonType::String;
+		Value.String = Text;
 	}
 	return Asked;
 }
@@ -247,8 +251,15 @@ FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request, const std:
 		return Refuse(404, "a picture's kind is final8, final or pass");
 	}
 	const FPicture& Final = Picture->Final;
-	return Kind == "final8" ? GivePicture(Final.Width, Final.Height, "uint8", Picture->Codes)
-							: GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
+	if (Kind == "final")
+	{
+		return GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
+	}
+	const int Step = std::clamp(ParseAll<int>(Find(Request.Query, "step")).value_or(1), 1, MaxStep);
+	FHttpResponse Response =
+		GivePicture(Final.Width, Final.Height, "uint8", Step > 1 ? ShrinkCodes(*Picture, Step) : "");
+	Response.Shared = Step > 1 ? nullptr : std::shared_ptr<const std::string>(Picture, &Picture->Codes);
+	return Response;
 }
 
 FHttpResponse FLiveServer::Route(const FHttpRequest& Request)

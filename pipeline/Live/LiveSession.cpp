@@ -169,7 +169,7 @@ void FLiveSession::RunStart()
 		Prepare(History.GetStart());
 		const FRunResult Start = Run->Run(std::nullopt, {});
 		StartSettings = Start.Settings;
-		Pictures.Add(MakeLivePicture(FirstRevision, Start));
+		Pictures.Add(FirstRevision, Start);
 	}
 	catch (const FError&)
 	{
@@ -189,13 +189,12 @@ void FLiveSession::RunFrame()
 		}
 		Prepare(History.GetText());
 		Frame = Run->Run(std::nullopt, {});
-		const auto Picture = MakeLivePicture(History.GetRevision(), *Frame);
 		if (!StartSettings)
 		{
 			StartSettings = Frame->Settings;
 			bNewFiles = true;
 		}
-		Pictures.Add(Picture);
+		Pictures.Add(History.GetRevision(), *Frame);
 		FrameJson = MakeFrameJson(History.GetRevision(), *Frame, MillisecondsSince(Begin));
 		FaultJson = CrashJson;
 		Events.Send("frame", FrameJson);

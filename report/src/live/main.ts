@@ -52,6 +52,7 @@ class LivePage {
 	private touched = false; // by this page, since the last measurement
 	private asked = Promise.resolve();
 	private probed = "";
+	private readonly passTimes = new Map<number, number>(); // ms, by revision
 	private readonly send: SendEdits;
 
 	constructor(private state: State) {
@@ -164,6 +165,8 @@ class LivePage {
 
 	private take(frame: Frame): void {
 		this.state.frame = frame;
+		this.passTimes.set(frame.revision, frame.milliseconds.passes);
+		this.passTimes.delete(frame.revision - 100); // long drawn
 		this.hand.finish(frame.revision);
 		this.showMessages(this.faults, []);
 		void this.frames.show(frame.revision);
@@ -176,11 +179,10 @@ class LivePage {
 	}
 
 	private drawn(revision: number): void {
-		const { frame } = this.state;
 		const wait = this.hand.drawn(revision);
 		if (wait) {
-			const beside = frame?.revision === revision ? wait.ms - frame.milliseconds.passes : NaN;
-			this.latency.textContent = `hand to picture ${ms(wait.ms)}` + (beside >= 0 ? `, ${ms(beside)} beside the passes` : "") + (wait.count > 1 ? `, median of this drag ${ms(wait.median)} (${wait.count} pictures)` : "");
+			const beside = wait.ms - (this.passTimes.get(revision) ?? 0);
+			this.latency.textContent = `hand to picture ${ms(wait.ms)}, ${ms(beside)} beside the passes` + (wait.count > 1 ? `, median of this drag ${ms(wait.median)} (${wait.count} pictures)` : "");
 			Object.assign(this.latency.dataset, { ms: wait.ms, median: wait.median, count: wait.count, beside });
 		}
 		this.showFrame();
