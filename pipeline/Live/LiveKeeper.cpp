@@ -134,7 +134,8 @@ void KeepAddress(const std::string& Folder, int Port, const std::string& Token)
 
 void KeepHistory(const std::string& Folder, const FEditHistory& History)
 {
-	WriteTextFile(Folder + "/well", History.GetRecord());
+	WriteWholeFile(Folder + "/writing", History.GetRecord());
+	std::filesystem::rename(Folder + "/writing", Folder + "/well");
 }
 
 int KeepLive()

@@ -7,6 +7,7 @@
 #include <Imath/half.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace Drydock
 {
@@ -21,31 +22,33 @@ constexpr size_t NumLast = 3;
 std::string ShrinkCodes(const FLivePicture& Picture, int Step)
 {
 	const int Width = Picture.Final.Width, Height = Picture.Final.Height;
-	std::string Small;
-	Small.reserve(static_cast<size_t>((Width + Step - 1) / Step) * static_cast<size_t>((Height + Step - 1) / Step) * 4);
-	const auto* const Codes = reinterpret_cast<const unsigned char*>(Picture.Codes.data());
+	std::string Small(
+		static_cast<size_t>((Width + Step - 1) / Step) * static_cast<size_t>((Height + Step - 1) / Step) * 4, '\0');
+	char* To = Small.data();
 	for (int Top = 0; Top < Height; Top += Step)
 	{
 		for (int Left = 0; Left < Width; Left += Step)
 		{
 			const int Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
-			const unsigned Count = static_cast<unsigned>((Right - Left) * (Bottom - Top));
-			unsigned Sums[4] = {};
+			uint32_t RedAndBlue = 0, GreenAndAlpha = 0; // two sums of 16 bits each
 			for (int Y = Top; Y < Bottom; ++Y)
 			{
-				const unsigned char* Code =
-					Codes + (static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(Left)) * 4;
-				for (int X = Left; X < Right; ++X, Code += 4)
+				const char* From =
+					Picture.Codes.data() +
+					(static_cast<size_t>(Y) * static_cast<size_t>(Width) + static_cast<size_t>(Left)) * 4;
+				for (int X = Left; X < Right; ++X, From += 4)
 				{
-					for (int Channel = 0; Channel < 4; ++Channel)
-					{
-						Sums[Channel] += Code[Channel];
-					}
+					uint32_t Texel = 0;
+					std::memcpy(&Texel, From, sizeof(Texel));
+					RedAndBlue += Texel & 0xff00ff;
+					GreenAndAlpha += (Texel >> 8) & 0xff00ff;
 				}
 			}
-			for (const unsigned Sum : Sums)
+			const auto Count = static_cast<uint32_t>((Right - Left) * (Bottom - Top));
+			for (const uint32_t Sum :
+				{RedAndBlue & 0xffff, GreenAndAlpha & 0xffff, RedAndBlue >> 16, GreenAndAlpha >> 16})
 			{
-				Small += static_cast<char>((Sum + Count / 2) / Count);
+				*To++ = static_cast<char>((Sum + Count / 2) / Count);
 			}
 		}
 	}

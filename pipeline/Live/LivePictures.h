@@ -21,7 +21,9 @@ struct FLivePicture
 	std::string Codes; // rows from the top, RGBA of 8 bits: what final.png holds, and 255
 };
 
-/** The codes of a smaller picture: means of Step x Step texels, of fewer at the right and at the bottom. */
+/** The codes of a smaller picture: means of Step x Step texels, of fewer at the right and at the bottom. Step: up
+ * to 16.
+ */
 DRYDOCK_API std::string ShrinkCodes(const FLivePicture& Picture, int Step);
 
 /** Bytes of 32-bit floats, RGBA, rows from the top. Alpha is 1 where the picture has none. bAsFile: the numbers that

@@ -24,7 +24,7 @@ constexpr const char* Policy =
 	"default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
 	"blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-constexpr int MaxStep = 64; // of a smaller picture
+constexpr int MaxStep = 16; // of a smaller picture
 
 const std::string PicturePath = "GET /api/picture/";
 

@@ -16,6 +16,7 @@
 
 #include <cstdlib>
 #include <fcntl.h>
+#include <malloc.h>
 #include <memory>
 #include <spawn.h>
 #include <thread>
@@ -137,6 +138,9 @@ FLiveOptions MakeLiveOptions(const FLiveVerbOptions& Options, const std::string&
 
 int ServePage(const FLiveVerbOptions& Options, const std::string& Folder)
 {
+	// A frame's memory goes to the next frame, not to the system and back, which takes milliseconds.
+	mallopt(M_MMAP_THRESHOLD, 32 << 20);
+	mallopt(M_TRIM_THRESHOLD, 1 << 30);
 	const FLiveBefore Before = BeginKept(Folder);
 	FLiveOptions LiveOptions = MakeLiveOptions(Options, Options.Run.ConfigFile);
 	LiveOptions.Crash = Before.Crash;

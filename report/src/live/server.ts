@@ -30,12 +30,24 @@ export const getText = async (path: string): Promise<string> => (await send(path
 export const get = async <T>(path: string): Promise<T> => JSON.parse(await getText(path)) as T;
 export const post = async <T>(path: string, body: unknown = {}): Promise<T> => (await send(path, "POST", body)).json() as Promise<T>;
 
+/** A body whose length is known, into one piece of memory: half the time of arrayBuffer. */
+async function readBytes(answer: Response): Promise<ArrayBuffer> {
+	const length = Number(answer.headers.get("Content-Length"));
+	const reader = length ? answer.body!.getReader({ mode: "byob" }) : null;
+	let body = new ArrayBuffer(length);
+	for (let at = 0; reader && at < length; ) {
+		const { value } = await reader.read(new Uint8Array(body, at));
+		[body, at] = [value!.buffer as ArrayBuffer, at + value!.length];
+	}
+	return body;
+}
+
 /** A picture as bytes for the display, or as numbers. Step: of the bytes, one for so many texels in a row. */
 export async function getPicture(id: string | number, query: string, step = 1): Promise<Pixels> {
 	const answer = await send(`picture/${id}?${query}&step=${step}`, "GET");
 	const header = (name: string) => answer.headers.get("X-Drydock-" + name) ?? "";
 	const [width, height] = [Number(header("Width")), Number(header("Height"))];
-	const body = await answer.arrayBuffer();
+	const body = await readBytes(answer);
 	if (query === "kind=final8") {
 		const pixels = fromBytes(Math.ceil(width / step), Math.ceil(height / step), new Uint8ClampedArray(body));
 		return step > 1 ? Object.assign(pixels, { whole: { width, height } }) : pixels;

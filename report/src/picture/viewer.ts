@@ -112,7 +112,7 @@ export class Viewer {
 
 	/** Texels of A, in a row, that at least fall on each pixel of the screen. */
 	getStep(): number {
-		return Math.max(1, Math.floor(1 / (this.getTexel() * (devicePixelRatio || 1))));
+		return Math.min(Math.max(Math.floor(1 / (this.getTexel() * (devicePixelRatio || 1))), 1), 16);
 	}
 
 	setTexel(size: number, at?: { x: number; y: number }): void {
