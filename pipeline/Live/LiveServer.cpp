@@ -165,8 +165,9 @@ void FLiveServer::Serve()
 	constexpr std::chrono::milliseconds MostUnseen(2000); // while frame follows frame
 	constexpr std::chrono::milliseconds MostBefore(20);   // of requests while a frame is wanted
 	constexpr FClock::duration None(0);
+	Session.LookAtFiles();
 	FClock::time_point LastLook = FClock::now();
-	FClock::time_point NextLook = LastLook;
+	FClock::time_point NextLook = LastLook + Interval;
 	while (!bEnd)
 	{
 		const FClock::time_point Begin = FClock::now();

@@ -388,6 +388,97 @@ TEST_F(LiveServer, AnswersWhatTheVerbsPrint)
 	EXPECT_EQ(422, Program.Get("/api/picture/now?kind=pass&pass=1&resource=Nothing").Status);
 }
 
+TEST_F(LiveServer, AnEditOfAVolumeOfTheSceneWritesAllOfThemIntoTheConfig)
+{
+	const FLiveProgram Program(Folder.Path, {DRYDOCK_TEST_SOURCE_DIR "/configs/sequence.json"});
+	const FJson Before = Program.WaitForFrame();
+	ASSERT_EQ(3u, Before["volumes"].size());
+	EXPECT_EQ(200, Program.Edit("/volumes/1/Priority", 7).Status);
+	const FJson After = Program.WaitForFrame();
+	EXPECT_EQ(7, After["volumes"][1]["priority"]);
+	for (const char* const Kept : {"name", "bounds", "blendRadius", "unbound", "enabled"})
+	{
+		for (size_t Volume = 0; Volume < 3; ++Volume)
+		{
+			EXPECT_EQ(Before["volumes"][Volume][Kept], After["volumes"][Volume][Kept]) << Kept;
+		}
+	}
+	for (size_t Setting = 0; Setting < Before["settings"].size(); ++Setting)
+	{
+		EXPECT_EQ(Before["settings"][Setting]["inVolumes"], After["settings"][Setting]["inVolumes"]);
+	}
+	EXPECT_EQ(200, Program.Change("undo").Status);
+	EXPECT_EQ(Before["volumes"], Program.State()["volumes"]);
+	EXPECT_NE(std::string::npos, Program.Get("/api/text?as=config").Body.find("\"fromScene\""));
+}
+
+TEST_F(LiveServer, ShowsEachFrameOfASequenceAsRunWritesIt)
+{
+	const FLiveProgram Program(Folder.Path, {DRYDOCK_TEST_SOURCE_DIR "/configs/sequence.json", "--out", "."});
+	EXPECT_EQ(FJson({{"frame", 1}, {"frames", {1, 2, 3, 4, 5, 6, 7, 8}}}), Program.WaitForFrame()["sequence"]);
+	const std::string First = Program.Get("/api/picture/now?kind=final8").Body;
+	EXPECT_EQ(200, Program.Edit("/scene/frames", "4").Status);
+	EXPECT_EQ(4, Program.WaitForFrame()["sequence"]["frame"]);
+	EXPECT_NE(First, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_EQ(200, Program.Post("/api/save", {{"path", (Folder.Path / "fourth.json").string()}}).Status);
+	ASSERT_EQ(0, Folder.Call("run fourth.json --frame 4 --out out --report off").ExitCode);
+	ExpectSameBits(Program, "out");
+	EXPECT_EQ(422, Program.Edit("/scene/frames", "x").Status);
+}
+
+TEST_F(LiveServer, ASmallerPictureHoldsTheMeansOfTheWhole)
+{
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	Program.WaitForFrame();
+	const std::string Whole = Program.Get("/api/picture/now?kind=final8").Body;
+	const FAnswer Answer = Program.Get("/api/picture/now?kind=final8&step=7");
+	EXPECT_EQ("960", Answer.Headers.at("x-drydock-width"));
+	constexpr size_t Width = 960, Height = 540, Step = 7, SmallWidth = 138, SmallHeight = 78; // 960 = 137 * 7 + 1
+	ASSERT_EQ(SmallWidth * SmallHeight * 4, Answer.Body.size());
+	for (size_t Index = 0; Index < Answer.Body.size(); ++Index)
+	{
+		const size_t Left = Index / 4 % SmallWidth * Step, Top = Index / 4 / SmallWidth * Step;
+		const size_t Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
+		double Sum = 0.0;
+		for (size_t Y = Top; Y < Bottom; ++Y)
+		{
+			for (size_t X = Left; X < Right; ++X)
+			{
+				Sum += static_cast<unsigned char>(Whole[(Y * Width + X) * 4 + Index % 4]);
+			}
+		}
+		const double Mean = Sum / static_cast<double>((Right - Left) * (Bottom - Top));
+		ASSERT_LE(std::abs(Mean - static_cast<unsigned char>(Answer.Body[Index])), 0.5) << Index;
+	}
+}
+
+TEST_F(LiveServer, NamesThePicturesBesideTheConfig)
+{
+	Files::create_directories(Folder.Path / "textures/deep");
+	for (const char* const Name : {"textures/dirt.png", "textures/deep/far.png", "textures/notes.txt"})
+	{
+		Folder.Write(Name, "");
+	}
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	EXPECT_EQ(FJson({{"pictures", {"textures/dirt.png", "toon.exr"}}}), Program.Get("/api/pictures").Json());
+}
+
+TEST_F(LiveServer, TheMeasurementOfAPriceGivesWayToAnEdit)
+{
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	Program.WaitForFrame();
+	FConnection Price(Program.Port);
+	Price.Send(FLiveProgram::MakeRequest("POST", "/api/price", Program.MakeHeaders()));
+	std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it has begun, and takes six frames and one in double
+	EXPECT_EQ(200, Program.Edit("/camera/Settings/BloomIntensity", 3).Status);
+	const FAnswer Answer = Price.ReadAnswer();
+	EXPECT_EQ(422, Answer.Status);
+	EXPECT_EQ("DD1120", Answer.Code());
+	EXPECT_TRUE(Program.WaitForFrame()["dots"].empty());
+	EXPECT_EQ(200, Program.Post("/api/price").Status);
+	EXPECT_EQ(1u, Program.State()["dots"].size());
+}
+
 TEST_F(LiveServer, NewestWinsUnderAFlood)
 {
 	const FLiveProgram Program(Folder.Path, {"a.json"});
