@@ -12,7 +12,7 @@ function makeSettings() {
 		name, display: name.replace(/^b([A-Z])/, "$1").replaceAll(/([a-z])([A-Z0-9])/g, "$1 $2"),
 		category: (categories.find(([start]) => name.startsWith(start)) ?? ["", "Rendering Features|Other"])[1],
 		type: /Tint|Color\d?$/.test(name) && Array.isArray(value) ? "color" : type === "integer" ? "int32" : typeof value === "number" ? "float" : "other",
-		value, default: value, start: value, overridden: false, inVolumes: [],
+		value: value ?? null, default: value ?? null, start: value ?? null, overridden: false, class: /Mask$/.test(name) ? "Texture" : "", inVolumes: [],
 		range: { clampMin: minimum ?? (name === "BloomIntensity" ? 0 : null), clampMax: maximum ?? null, uiMin: name === "BloomIntensity" ? 0 : null, uiMax: name === "BloomIntensity" ? 8 : null },
 		enum: list?.filter((one) => typeof one === "string"), unit: "", doc: description ?? "", effect: name.startsWith("Bloom") ? "Bloom" : "",
 		unread: /^Bloom|^Vignette|^AutoExposure/.test(name) ? "" : "No active pass reads it: its effect is off.", plugin: name === "BloomToonIntensity" ? "ToonBloom" : "",

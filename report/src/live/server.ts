@@ -30,14 +30,20 @@ export const getText = async (path: string): Promise<string> => (await send(path
 export const get = async <T>(path: string): Promise<T> => JSON.parse(await getText(path)) as T;
 export const post = async <T>(path: string, body: unknown = {}): Promise<T> => (await send(path, "POST", body)).json() as Promise<T>;
 
-/** A body whose length is known, into one piece of memory: half the time of arrayBuffer. */
+/** The body; where its length is known, into one piece of memory, which takes half the time. */
 async function readBytes(answer: Response): Promise<ArrayBuffer> {
 	const length = Number(answer.headers.get("Content-Length"));
-	const reader = length ? answer.body!.getReader({ mode: "byob" }) : null;
+	if (!length) {
+		return answer.arrayBuffer();
+	}
+	const reader = answer.body!.getReader({ mode: "byob" });
 	let body = new ArrayBuffer(length);
-	for (let at = 0; reader && at < length; ) {
-		const { value } = await reader.read(new Uint8Array(body, at));
-		[body, at] = [value!.buffer as ArrayBuffer, at + value!.length];
+	for (let at = 0; at < length; ) {
+		const { value, done } = await reader.read(new Uint8Array(body, at));
+		if (done) {
+			throw new Error("the picture broke off");
+		}
+		[body, at] = [value.buffer as ArrayBuffer, at + value.length];
 	}
 	return body;
 }

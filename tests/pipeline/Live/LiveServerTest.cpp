@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 using namespace LiveTest;
 
@@ -392,13 +393,13 @@ TEST_F(LiveServer, AnEditOfAVolumeOfTheSceneWritesAllOfThemIntoTheConfig)
 {
 	const FLiveProgram Program(Folder.Path, {DRYDOCK_TEST_SOURCE_DIR "/configs/sequence.json"});
 	const FJson Before = Program.WaitForFrame();
-	ASSERT_EQ(3u, Before["volumes"].size());
+	ASSERT_EQ(2u, Before["volumes"].size());
 	EXPECT_EQ(200, Program.Edit("/volumes/1/Priority", 7).Status);
 	const FJson After = Program.WaitForFrame();
 	EXPECT_EQ(7, After["volumes"][1]["priority"]);
 	for (const char* const Kept : {"name", "bounds", "blendRadius", "unbound", "enabled"})
 	{
-		for (size_t Volume = 0; Volume < 3; ++Volume)
+		for (size_t Volume = 0; Volume < 2; ++Volume)
 		{
 			EXPECT_EQ(Before["volumes"][Volume][Kept], After["volumes"][Volume][Kept]) << Kept;
 		}
@@ -469,7 +470,7 @@ TEST_F(LiveServer, TheMeasurementOfAPriceGivesWayToAnEdit)
 	Program.WaitForFrame();
 	FConnection Price(Program.Port);
 	Price.Send(FLiveProgram::MakeRequest("POST", "/api/price", Program.MakeHeaders()));
-	std::this_thread::sleep_for(std::chrono::milliseconds(50)); // it has begun, and takes six frames and one in double
+	std::this_thread::sleep_for(std::chrono::milliseconds(10)); // it has begun, and takes six frames and one in double
 	EXPECT_EQ(200, Program.Edit("/camera/Settings/BloomIntensity", 3).Status);
 	const FAnswer Answer = Price.ReadAnswer();
 	EXPECT_EQ(422, Answer.Status);
@@ -484,15 +485,24 @@ TEST_F(LiveServer, NewestWinsUnderAFlood)
 	const FLiveProgram Program(Folder.Path, {"a.json"});
 	Program.WaitForFrame();
 	FEventStream Events(Program);
-	FConnection Connection(Program.Port);
-	constexpr int NumEdits = 300;
-	for (int Edit = 0; Edit < NumEdits; ++Edit)
+	std::vector<std::unique_ptr<FConnection>> Hands;
+	for (int Hand = 0; Hand < 4; ++Hand)
 	{
-		const FJson Body = {
-			{"edits", {{{"set", "/camera/Settings/BloomIntensity"}, {"value", 1 + Edit * 0.01}}}}, {"drag", "d"}};
-		ASSERT_TRUE(
-			Connection.Send(FLiveProgram::MakeRequest("POST", "/api/edit", Program.MakeHeaders(), Body.dump())));
-		ASSERT_EQ(200, Connection.ReadAnswer().Status);
+		Hands.push_back(std::make_unique<FConnection>(Program.Port));
+	}
+	constexpr int NumEdits = 300;
+	for (int Edit = 0; Edit < NumEdits;)
+	{
+		for (const std::unique_ptr<FConnection>& Hand : Hands)
+		{
+			const FJson Body = {
+				{"edits", {{{"set", "/camera/Settings/BloomIntensity"}, {"value", 1 + ++Edit * 0.01}}}}, {"drag", "d"}};
+			ASSERT_TRUE(Hand->Send(FLiveProgram::MakeRequest("POST", "/api/edit", Program.MakeHeaders(), Body.dump())));
+		}
+		for (const std::unique_ptr<FConnection>& Hand : Hands)
+		{
+			ASSERT_EQ(200, Hand->ReadAnswer().Status);
+		}
 	}
 	const FJson State = Program.WaitForFrame();
 	EXPECT_EQ(State["revision"], State["frame"]["revision"]);
