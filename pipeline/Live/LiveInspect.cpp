@@ -14,6 +14,7 @@
 #include "TextTools.h"
 
 #include <algorithm>
+#include <malloc.h>
 
 namespace Drydock
 {
@@ -42,14 +43,21 @@ private:
 	const FLiveSession& Session;
 };
 
-/** For a run beside the frame's, which computes every pass. */
-FRunOptions BeginOwnRun(FLiveSession& Session)
+/** A run beside the frame's, which computes every pass. Its memory is the system's again when it ends: frames do not
+ * need so much. */
+struct FOwnRun : FNoncopyable
 {
-	Session.EndRun();
-	FRunOptions Options = Session.MakeOptions();
-	Options.ReuseCache = nullptr;
-	return Options;
-}
+	explicit FOwnRun(FLiveSession& Session)
+	{
+		Session.EndRun();
+		Options = Session.MakeOptions();
+		Options.ReuseCache = nullptr;
+	}
+
+	~FOwnRun() { malloc_trim(0); }
+
+	FRunOptions Options;
+};
 
 std::string MakeAnswer(const std::string& Text, const std::string& Json)
 {
@@ -109,7 +117,8 @@ FPicture ReadPassPicture(FLiveSession& Session, const FJsonValue& Asked)
 {
 	const int Pass = ReadAskedNumber(Asked, "pass");
 	const std::string Resource = Asked.GetString("resource");
-	FRunOptions Options = BeginOwnRun(Session);
+	FOwnRun Own(Session);
+	FRunOptions& Options = Own.Options;
 	Options.Dump = {Resource};
 	const FRunResult Result = RunConfig(Options);
 	for (const FRunDump& Dump : Result.Dumps)
@@ -127,7 +136,8 @@ FPicture ReadPassPicture(FLiveSession& Session, const FJsonValue& Asked)
 
 std::string MakeLiveReport(FLiveSession& Session, const FJsonValue&)
 {
-	FRunOptions Options = BeginOwnRun(Session);
+	FOwnRun Own(Session);
+	FRunOptions& Options = Own.Options;
 	Options.bKeepForReport = true;
 	const FRunResult Result = RunConfig(Options);
 	return MakeRunReportData(Options, Result);
@@ -136,7 +146,8 @@ std::string MakeLiveReport(FLiveSession& Session, const FJsonValue&)
 std::string MakeLedgerJson(FLiveSession& Session, const FJsonValue& Asked)
 {
 	const std::vector<size_t> Fields = FindSettings({Asked.GetString("setting")});
-	const FRunSetup Setup(BeginOwnRun(Session));
+	const FOwnRun Own(Session);
+	const FRunSetup Setup(Own.Options);
 	return MakeBlendJson(MakeBlendReport(Setup, "view", Setup.Config.Plugins.empty()), Fields);
 }
 
@@ -147,7 +158,8 @@ std::string ProbeLive(FLiveSession& Session, const FJsonValue& Asked)
 	Request.X = ReadAskedNumber(Asked, "x");
 	Request.Y = ReadAskedNumber(Asked, "y");
 	Request.Passes = Pass.empty() ? "*" : Pass;
-	const FProbedRun Probed = ProbeRun(BeginOwnRun(Session), Request);
+	const FOwnRun Own(Session);
+	const FProbedRun Probed = ProbeRun(Own.Options, Request);
 	return MakeAnswer(MakeProbeText(Probed.Passes, {}, Request), MakeProbeJson(Probed.Passes, {}, Request));
 }
 
@@ -156,10 +168,11 @@ std::string TraceLive(FLiveSession& Session, const FJsonValue& Asked)
 	FTraceRequest Request;
 	Request.Pass = Asked.GetString("pass");
 	Request.At = {ReadAskedNumber(Asked, "x"), ReadAskedNumber(Asked, "y"), 0};
+	const FOwnRun Own(Session);
 	FTraceCapture Capture(Request);
 	{
 		const FScopedDispatchObserver Scope(Capture);
-		RunConfig(BeginOwnRun(Session));
+		RunConfig(Own.Options);
 	}
 	std::string Text;
 	for (const FCapturedTrace& Captured : Capture.GetTraces())
@@ -173,7 +186,8 @@ std::string MeasurePrice(FLiveSession& Session, const FJsonValue&)
 {
 	constexpr int NumRuns = 5;
 	const FStudy Study = FindStudy(Session);
-	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
+	const FOwnRun Own(Session);
+	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(Own.Options, Study);
 	FGiveWay GiveWay(Session);
 	const FScopedDispatchObserver Scope(GiveWay);
 	FMeasured Measured = Subject->Run({}); // warms up

@@ -75,7 +75,7 @@ FHttpResponse GivePicture(int Width, int Height, const char* Type, std::string B
 		.Body = std::move(Bytes)};
 }
 
-/** What is asked: the body's object, and the query's texts. Throws FError. */
+/** The body's object, with the texts of the query. Throws FError. */
 FJsonValue ReadAsked(const FHttpRequest& Request)
 {
 	std::vector<FDiagnostic> Faults;

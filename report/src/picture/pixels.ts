@@ -12,7 +12,7 @@ export interface Pixels {
 	display: boolean;
 	/** "half", "float": as stored; "8 bit": decoded from the PNG. */
 	precision: string;
-	/** Of the picture that this is a smaller copy of. */
+	/** The size of the picture that this is a smaller copy of. */
 	whole?: { width: number; height: number };
 	/** RGBA, 8 bit: a final picture as a display shows it, which is shown as it is. */
 	bytes?: Uint8ClampedArray;
