@@ -184,7 +184,7 @@ TEST(SceneCamera, PixelAndDepthGiveTheWorldPositionBack)
 
 TEST(SceneCamera, WorldMatricesHaveTheCameraInThem)
 {
-	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}};
+	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}, {}, false};
 	const FViewUniformShaderParameters View = MakeView(Camera, Whole, Whole);
 	for (const FVector3f Point : {FVector3f(1300.0f, -400.0f, 90.0f), FVector3f(2000.0f, -1200.0f, 0.0f)})
 	{
@@ -210,7 +210,7 @@ TEST(SceneCamera, WorldMatricesHaveTheCameraInThem)
 
 TEST(SceneCamera, ThePreviousFrameIsThisOneUntilThereIsAnother)
 {
-	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}};
+	const FSceneCamera Camera{FVector(1000.0, -250.0, 40.0), 10.0, -35.0, 0.0, 70.0, {}, {}, {}, false};
 	FSceneCamera Before = Camera;
 	Before.Location = FVector(900.0, -250.0, 40.0);
 	FViewUniformShaderParameters View = MakeView(Camera, Whole, Whole);
