@@ -165,8 +165,8 @@ std::vector<FSequenceFrame> FindFramesBefore(const FConfig& Config, const std::v
 	const int First = Frames.front().Number;
 	const int Step = Frames.size() > 1 ? Frames[1].Number - First : 1;
 	std::vector<FSequenceFrame> All = ChooseSequenceFrames(Config, "all", {});
-	std::erase_if(All,
-		[&](const FSequenceFrame& Frame) { return Frame.Number >= First || (First - Frame.Number) % Step != 0; });
+	std::erase_if(
+		All, [&](const FSequenceFrame& Frame) { return Frame.Number >= First || (First - Frame.Number) % Step != 0; });
 	return All;
 }
 

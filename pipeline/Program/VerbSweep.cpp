@@ -8,6 +8,7 @@
 #include "Run/RunSetup.h"
 #include "Sweep/SweepErrors.h"
 #include "Sweep/SweepExec.h"
+#include "Sweep/SweepPlanner.h"
 #include "Sweep/SweepReduce.h"
 #include "Sweep/SweepRun.h"
 #include "Sweep/SweepSubmit.h"

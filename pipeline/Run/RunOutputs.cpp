@@ -154,8 +154,7 @@ const FOutputNames& GetRunOutputNames()
 
 void WriteFinalExr(const FRunResult& Result, const std::string& File)
 {
-	WriteExr(
-		File, Result.Final.Take(3), GetChannelNames(3), MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
+	WriteExr(File, Result.Final.Take(3), GetChannelNames(3), MakeColorAttributes(GetEncodingName(Result.OutputDevice)));
 }
 
 double WriteRunOutputs(const FRunResult& Result, FOutputFolder& Folder, const FFurtherOutputs& Further)

@@ -123,14 +123,6 @@ std::pair<bool, bool> FindLock(const Files::path& Folder)
 
 } // namespace
 
-std::optional<FJsonValue> ParseSweepJson(const std::string& Text)
-{
-	std::vector<FDiagnostic> Ignored;
-	bool bSyntaxError = false;
-	FJsonValue Root = ParseJson(Text, "", Ignored, bSyntaxError);
-	return bSyntaxError || Root.Type != EJsonType::Object ? std::nullopt : std::optional(std::move(Root));
-}
-
 void FSweepFolder::WritePlan(const FSweepPlan& Plan) const
 {
 	const FOutputNames Names = {

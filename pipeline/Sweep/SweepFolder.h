@@ -6,7 +6,6 @@
 #include "DrydockAPI.h"
 #include "Sweep/SweepPlan.h"
 #include "Text/FolderLock.h"
-#include "Text/Json.h"
 
 #include <filesystem>
 #include <memory>
@@ -82,8 +81,5 @@ private:
 
 /** In a result: the list of its files. */
 inline constexpr const char* SweepResultListName = ".drydock.result.files";
-
-/** The object that the text is; nothing where it is not one. */
-std::optional<FJsonValue> ParseSweepJson(const std::string& Text);
 
 } // namespace Drydock

@@ -10,7 +10,6 @@
 #include "Overlay/OverlayFolder.h"
 #include "Run/RunSetup.h"
 #include "Sweep/SweepErrors.h"
-#include "Sweep/SweepFolder.h"
 #include "Text/ConfigErrors.h"
 #include "Text/Fingerprint.h"
 #include "Text/TextFile.h"

@@ -1,13 +1,14 @@
-// A config's sweep expanded into tasks: plain data, which a folder keeps as plan.json and tasks.jsonl.
+// A sweep as tasks: plain data, which a folder keeps as plan.json and tasks.jsonl.
 #pragma once
 
 #include "Budget/RunOptions.h"
-#include "Config/ReadConfig.h"
 #include "DrydockAPI.h"
 #include "Run/RunInputs.h"
+#include "Text/Json.h"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,15 +61,7 @@ DRYDOCK_API FRunOptions MakeTaskOptions(const FSweepPlan& Plan, const FSweepSet&
 /** "BloomIntensity 2, engine 5.6": the task by its values. Without: an axis that is left out; -1: none. */
 DRYDOCK_API std::string DescribeTask(const FSweepPlan& Plan, const FSweepTask& Task, int Without = -1);
 
-/** The member "sweep" of a config. Throws FError (exit code 2) where it has none. */
-DRYDOCK_API FJsonValue FindSweep(const FConfigDocument& Document);
-
-/** The product of the axes' values: how many tasks there are at most, but for pieces. */
-DRYDOCK_API size_t CountCombinations(const FJsonValue& Sweep);
-
-/** The tasks of a config's sweep, with hashes, not measured. Remarks on axes that change nothing are appended to
- * Remarks. Plugins of the config must be loaded. Throws FError (exit code 2) with all mistakes of the sweep that can be
- * found, each at its place. */
-DRYDOCK_API FSweepPlan PlanSweep(const FConfig& Config, const FJsonValue& Sweep, std::vector<FDiagnostic>& Remarks);
+/** The object that the text is; nothing where it is not one. */
+std::optional<FJsonValue> ParseSweepJson(const std::string& Text);
 
 } // namespace Drydock

@@ -5,7 +5,7 @@
 #include "../ProgramTestUtils.h"
 
 #include "Sweep/SweepFolder.h"
-#include "Sweep/SweepPlan.h"
+#include "Sweep/SweepPlanner.h"
 #include "TextTools.h"
 
 #include <algorithm>

@@ -162,7 +162,8 @@ TEST(SweepProgram, ACrashCostsOneTask)
 	EXPECT_NE(std::string::npos, Outcome.Printed.find("the process that ran this task ended with exit code 71"))
 		<< Outcome.Printed;
 	EXPECT_NE(std::string::npos, Outcome.Printed.find("libCrashPlugin.so")) << Outcome.Printed;
-	EXPECT_EQ("2 tasks run, 2 were there, 0 failed\n", Folder.Call("sweep exec out").Printed) << "asked again, it runs again";
+	EXPECT_EQ("2 tasks run, 2 were there, 0 failed\n", Folder.Call("sweep exec out").Printed)
+		<< "asked again, it runs again";
 }
 
 TEST(SweepProgram, SubmitHereEndsInTableSheetPlotsAndPage)
