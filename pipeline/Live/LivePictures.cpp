@@ -17,19 +17,21 @@ namespace
 
 constexpr size_t NumLast = 3;
 
-} // namespace
-
-std::string ShrinkCodes(const FLivePicture& Picture, int Step)
+size_t GetShrunk(int Size, int Step)
 {
-	const int Width = Picture.Final.Width, Height = Picture.Final.Height;
-	std::string Small(
-		static_cast<size_t>((Width + Step - 1) / Step) * static_cast<size_t>((Height + Step - 1) / Step) * 4, '\0');
-	char* To = Small.data();
-	for (int Top = 0; Top < Height; Top += Step)
+	return static_cast<size_t>((Size + Step - 1) / Step);
+}
+
+/** The rows of the small picture that belong to these of the whole one; First: a multiple of Step. */
+void ShrinkRows(const FLivePicture& Picture, int Step, int First, int End, std::string& Small)
+{
+	const int Width = Picture.Final.Width;
+	char* To = Small.data() + static_cast<size_t>(First / Step) * GetShrunk(Width, Step) * 4;
+	for (int Top = First; Top < End; Top += Step)
 	{
 		for (int Left = 0; Left < Width; Left += Step)
 		{
-			const int Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
+			const int Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, End);
 			uint32_t RedAndBlue = 0, GreenAndAlpha = 0; // two sums of 16 bits each
 			for (int Y = Top; Y < Bottom; ++Y)
 			{
@@ -52,6 +54,15 @@ std::string ShrinkCodes(const FLivePicture& Picture, int Step)
 			}
 		}
 	}
+}
+
+} // namespace
+
+std::string ShrinkCodes(const FLivePicture& Picture, int Step)
+{
+	const int Width = Picture.Final.Width, Height = Picture.Final.Height;
+	std::string Small(GetShrunk(Width, Step) * GetShrunk(Height, Step) * 4, '\0');
+	ShrinkRows(Picture, Step, 0, Height, Small);
 	return Small;
 }
 
@@ -98,7 +109,10 @@ void FLivePictures::Add(uint64_t Revision, const FRunResult& Result)
 	const FPicture& Final = Result.Final;
 	const size_t Width = static_cast<size_t>(Final.Width);
 	Made->Codes.resize(Width * static_cast<size_t>(Final.Height) * 4);
-	constexpr int32 Rows = 16;
+	Made->Step = Step;
+	Made->Small.resize(
+		Made->Step > 1 ? GetShrunk(Final.Width, Made->Step) * GetShrunk(Final.Height, Made->Step) * 4 : 0);
+	const int32 Rows = Made->Step * std::max(16 / Made->Step, 1);
 	ForEachTile(FKernelTile{0, 0, 0, 1, Final.Height, 1}, FIntPoint(1, Rows),
 		[&](const FKernelTile& Tile)
 		{
@@ -112,6 +126,10 @@ void FLivePictures::Add(uint64_t Revision, const FRunResult& Result)
 				{
 					To[X * 4 + 3] = 255;
 				}
+			}
+			if (Made->Step > 1)
+			{
+				ShrinkRows(*Made, Made->Step, Tile.MinY, Tile.MaxY, Made->Small);
 			}
 		});
 	const std::lock_guard Lock(Mutex);

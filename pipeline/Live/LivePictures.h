@@ -3,6 +3,7 @@
 
 #include "Run/RunResult.h"
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
@@ -19,6 +20,8 @@ struct FLivePicture
 	uint64_t Revision = 0;
 	FPicture Final;
 	std::string Codes; // rows from the top, RGBA of 8 bits: what final.png holds, and 255
+	int Step = 1;
+	std::string Small; // ShrinkCodes of Step; empty where that is 1
 };
 
 /** The codes of a smaller picture: means of Step x Step texels, of fewer at the right and at the bottom. Step: up
@@ -39,6 +42,9 @@ public:
 	/** Makes the newest, by all threads; for one caller at a time. The first one is the start's. */
 	void Add(uint64_t Revision, const FRunResult& Result);
 
+	/** The step for which the next pictures have small ones. */
+	void SetStep(int InStep) { Step = InStep; }
+
 	/** Keeps the newest under a name. */
 	void Keep(const std::string& Name);
 	void Forget(const std::string& Name);
@@ -50,6 +56,7 @@ private:
 	mutable std::recursive_mutex Mutex; // pictures end in its scope
 	std::string Spare;                  // the bytes of the last picture that ended
 	std::deque<FHandle> Last;           // the newest first
+	std::atomic<int> Step = 1;
 	std::map<std::string, FHandle> Kept;
 };
 

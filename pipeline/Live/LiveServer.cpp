@@ -257,9 +257,14 @@ FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request, const std:
 		return GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
 	}
 	const int Step = std::clamp(ParseAll<int>(Find(Request.Query, "step")).value_or(1), 1, MaxStep);
-	FHttpResponse Response =
-		GivePicture(Final.Width, Final.Height, "uint8", Step > 1 ? ShrinkCodes(*Picture, Step) : "");
-	Response.Shared = Step > 1 ? nullptr : std::shared_ptr<const std::string>(Picture, &Picture->Codes);
+	const bool bSmall = Step > 1 && Picture->Step == Step;
+	Pictures.SetStep(Step);
+	FHttpResponse Response = GivePicture(
+		Final.Width, Final.Height, "uint8", Step > 1 && !bSmall ? ShrinkCodes(*Picture, Step) : std::string());
+	if (Step == 1 || bSmall)
+	{
+		Response.Shared = std::shared_ptr<const std::string>(Picture, bSmall ? &Picture->Small : &Picture->Codes);
+	}
 	return Response;
 }
 
