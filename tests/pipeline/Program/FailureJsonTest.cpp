@@ -31,6 +31,7 @@ const std::map<std::string, std::pair<std::string, int>> Mistakes = {
 	{"hazards", {"broken.json --pass X", 2}},
 	{"lint", {"no_such.usf", 3}},
 	{"study", {"broken.json", 2}},
+	{"flicker", {"broken.json", 2}},
 	{"diff", {"no_such.png no_such_either.png", 3}},
 	{"explain", {"broken.json", 2}},
 	{"list", {"hooks broken.json", 2}},

@@ -141,6 +141,16 @@ std::string ShowDrawnTexture()
 	return std::to_string(Graph.Pooled.at("X")->GetRHI()->ReadTexel(0, 0).R);
 }
 
+/** A pixel of the scene's colour after temporal antialiasing. */
+std::string ShowTemporalAA()
+{
+	FRunOptions Options;
+	Options.ConfigFile = Root + "configs/test_temporal_aa.json";
+	Options.ConfigText =
+		R"({"scene": {"file": "scenes/moving_camera.0001.exr"}, "cvars": {"r.AntiAliasingMethod": 2}})";
+	return std::to_string(RunConfig(Options).SceneLinear.Get(160, 90, 1));
+}
+
 /** No pass has it; plugins include it. */
 std::string ShowCombineLUTs()
 {
@@ -150,6 +160,7 @@ std::string ShowCombineLUTs()
 
 const std::map<std::string, std::function<std::string()>> OfItsOwn = {
 	{"passes/Shaders/Drydock/FourTapBlur.usf", &ShowFourTaps},
+	{"passes/Shaders/Drydock/TemporalAA.usf", &ShowTemporalAA},
 	{"passes/Shaders/PostProcessCombineLUTs.usf", &ShowCombineLUTs},
 	{"rdg/graph/Shaders/Engine/Private/ScreenPass.usf", &ShowDrawnTexture},
 };
