@@ -208,7 +208,6 @@ FReuseCache::FResult* FReuseCache::Add(const FMemoryHash& Key, uint64 NumBytes)
 
 FDispatchReuse::FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 	const std::vector<FRHITexture*>& Targets)
-	: FReusedWork(FMemoryHash())
 {
 	FindOutputs(Shader, Args, Whole, Targets);
 	if (Cache)
@@ -241,7 +240,7 @@ void FDispatchReuse::AddMip(const FKernelMip& Mip, size_t TexelBytes, const FInt
 		bForeignOutput = true;
 		return;
 	}
-	AddOutput(MakeBlock(Mip, TexelBytes, Rect), Texture, Number, Plane);
+	Outputs.push_back({MakeBlock(Mip, TexelBytes, Rect), Texture, Number, Plane});
 }
 
 void FDispatchReuse::FindOutputs(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
@@ -268,7 +267,7 @@ void FDispatchReuse::FindOutputs(const FBoundShader& Shader, const FKernelArgs& 
 	}
 	for (const FKernelBuffer& Buffer : Shader.RWBuffers)
 	{
-		AddOutput(MakeBlock(Buffer));
+		Outputs.push_back({MakeBlock(Buffer)});
 	}
 }
 
@@ -319,7 +318,7 @@ void FDispatchReuse::FindKey(const FBoundShader& Shader, const FKernelArgs& Args
 	Key = Hasher.Get();
 }
 
-std::optional<FReusedWork::FRun> FReusedWork::Take()
+std::optional<FDispatchReuse::FRun> FDispatchReuse::Take()
 {
 	const FReuseCache::FResult* const Result = Key.IsKnown() ? Cache->Find(Key) : nullptr;
 	if (!Result)
@@ -342,7 +341,7 @@ std::optional<FReusedWork::FRun> FReusedWork::Take()
 	return FRun{Result->Taps, Result->bFellBack};
 }
 
-void FReusedWork::Keep(const FRun& Run)
+void FDispatchReuse::Keep(const FRun& Run)
 {
 	uint64 NumBytes = 0;
 	for (const FOutput& Output : Outputs)

@@ -38,7 +38,7 @@ public:
 	size_t GetNumResults() const { return Results.size(); }
 
 private:
-	friend class FReusedWork;
+	friend class FDispatchReuse;
 
 	struct FResult
 	{
@@ -78,23 +78,13 @@ private:
 	FReuseCache* const Before;
 };
 
-/** Work that is decided by a hash: takes its result from the cache in scope, or keeps it there. */
-class DRYDOCK_API FReusedWork : private FNoncopyable
+/** One draw or dispatch: takes its result from the cache in scope, or keeps it there. */
+class DRYDOCK_API FDispatchReuse : private FNoncopyable
 {
 public:
-	/** InKey: a hash of the kind of work and of all that decides its result. Not known: nothing is taken and nothing
-	 * kept. */
-	explicit FReusedWork(const FMemoryHash& InKey)
-		: Cache(GetReuseCache())
-		, Key(Cache ? InKey : FMemoryHash())
-	{
-	}
-
-	/** All memory that the work writes, before Take; Texture: it is of this mip and plane. */
-	void AddOutput(const FTexelBlock& Block, FRHITexture* Texture = nullptr, int32 Mip = 0, int32 Plane = 0)
-	{
-		Outputs.push_back({Block, Texture, Mip, Plane});
-	}
+	/** Targets: the textures of Args.Targets; null, or a shorter list: nothing is written there. */
+	FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
+		const std::vector<FRHITexture*>& Targets);
 
 	struct FRun
 	{
@@ -107,7 +97,11 @@ public:
 	/** It is done. */
 	void Keep(const FRun& Run);
 
-protected:
+	/** Why nothing is taken or kept, for people to read; empty: it may be, or there is no cache. */
+	const std::string& GetWhyNot() const { return WhyNot; }
+
+private:
+	/** Memory that is written; Texture: it is of this mip and plane. */
 	struct FOutput
 	{
 		FTexelBlock Block;
@@ -116,30 +110,16 @@ protected:
 		int32 Plane = 0;
 	};
 
-	FReuseCache* const Cache;
-	FMemoryHash Key;
-	std::vector<FOutput> Outputs;
-	std::string WhyNot;
-};
-
-/** One draw or dispatch. */
-class FDispatchReuse : public FReusedWork
-{
-public:
-	/** Targets: the textures of Args.Targets; null, or a shorter list: nothing is written there. */
-	FDispatchReuse(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
-		const std::vector<FRHITexture*>& Targets);
-
-	/** Why nothing is taken or kept, for people to read; empty: it may be, or there is no cache. */
-	const std::string& GetWhyNot() const { return WhyNot; }
-
-private:
 	void FindOutputs(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 		const std::vector<FRHITexture*>& Targets);
 	void AddMip(const FKernelMip& Mip, size_t TexelBytes, const FIntRect& Rect, FRHITexture* Texture);
 	void FindKey(const FBoundShader& Shader, const FKernelArgs& Args, const FKernelTile& Whole,
 		const std::vector<FRHITexture*>& Targets);
 
+	FReuseCache* const Cache = GetReuseCache();
+	FMemoryHash Key; // not known: nothing is taken and nothing kept
+	std::vector<FOutput> Outputs;
+	std::string WhyNot;
 	bool bForeignOutput = false; // one whose texture is not known
 };
 
