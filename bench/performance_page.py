@@ -265,6 +265,9 @@ def make_summary(folder):
         row = find_row(live, size)
         if row:
             lines.append(f"| `live`, {size}, edit to picture beside the passes, ms | {row[5]} | {goal} |")
+        row = find_row(read_result(folder, "live_page"), size)
+        if row:
+            lines.append(f"| the same in Chromium, from the hand to the drawn picture, ms | {row[4]} | {goal} |")
     row = find_row(read_result(folder, "bench_graph"), "chain, a texture each | 60")
     if row:
         lines.append(f"| graph of 60 passes, build and compile, us | {row[4]} | 50 |")
@@ -302,6 +305,7 @@ def main(arguments):
     page = fill(page, "summary", make_summary(RESULTS))
     for name in ("run", "edit", "live", "picture_files", "texels", "functions", "strips", "roofline", "graph", "usf"):
         page = fill(page, f"bench_{name}", read_result(RESULTS, f"bench_{name}"))
+    page = fill(page, "live_page", read_result(RESULTS, "live_page"))
     tables, compared = make_peer_tables([Round(file) for file in arguments])
     page = fill(page, "peers", tables)
     page = fill(page, "chart", f"![{describe(compared)}](images/performance.svg)")

@@ -45,46 +45,13 @@ std::string MakeFirstLine(const std::string& File, const std::string& Text)
 	return Trim(Writer.GetText());
 }
 
-/** Does what a line of the record says. */
-void ReplayLine(const FJsonValue& Line, const std::string& Text, FEditHistory& History)
+/** The name of a drag that sets these places; empty: it is none. */
+std::string MakeDrag(const std::string& Name, const std::vector<FConfigEdit>& Edits)
 {
-	using EMove = FEditHistory::EMove;
-	if (const FJsonValue* const Edits = Line.Find("edits"))
-	{
-		const std::vector<FConfigEdit> Read = ReadEdits(*Edits);
-		History.Take(History.Edit(Read), EMove::Forward, Text, FEditHistory::MakeDrag(Line.GetString("drag"), Read));
-	}
-	else if (Line.Find("undo") != nullptr)
-	{
-		History.Take(History.Undo(), EMove::Undo, Text);
-	}
-	else if (Line.Find("redo") != nullptr)
-	{
-		History.Take(History.Redo(), EMove::Redo, Text);
-	}
-	else if (const FJsonValue* const Pointer = Line.Find("reset"))
-	{
-		const bool bOne = Pointer->Type == EJsonType::String;
-		History.Take(History.Reset(bOne ? std::optional(Pointer->String) : std::nullopt), EMove::Forward, Text);
-	}
-	else if (const FJsonValue* const Whole = Line.Find("text"))
-	{
-		History.Take(Whole->String, EMove::Forward, Text);
-	}
-	else
-	{
-		throw MakeEditError("expected one of edits, undo, redo, reset and text");
-	}
-}
-
-} // namespace
-
-std::string FEditHistory::MakeDrag(const std::string& Id, const std::vector<FConfigEdit>& Edits)
-{
-	std::string Drag = Id;
+	std::string Drag = Name;
 	for (const FConfigEdit& Edit : Edits)
 	{
-		if (Id.empty() || !Edit.Value || Edit.Pointer.ends_with("/-"))
+		if (Name.empty() || !Edit.Value || Edit.Pointer.ends_with("/-"))
 		{
 			return "";
 		}
@@ -93,6 +60,8 @@ std::string FEditHistory::MakeDrag(const std::string& Id, const std::vector<FCon
 	return Drag;
 }
 
+} // namespace
+
 FEditHistory::FEditHistory(std::string InFile, std::string Start)
 	: File(std::move(InFile))
 	, First(MakeFirstLine(File, Start))
@@ -100,51 +69,65 @@ FEditHistory::FEditHistory(std::string InFile, std::string Start)
 	Steps.push_back({std::move(Start), ""});
 }
 
-std::string FEditHistory::Edit(const std::vector<FConfigEdit>& Edits) const
+std::string FEditHistory::Reset(const std::string& Pointer) const
 {
-	return ApplyEdits(GetText(), Edits);
+	const std::optional<std::string> Before = FindPlace(GetStart(), Pointer);
+	return Before == FindPlace(GetText(), Pointer) ? GetText() : ApplyEdits(GetText(), {{Pointer, Before}});
 }
 
-std::string FEditHistory::Undo() const
+FEditHistory::FNext FEditHistory::Plan(const FJsonValue& Change) const
 {
-	return CanUndo() ? Steps[Now - 1].Text : throw MakeEditError("there is nothing to undo");
-}
-
-std::string FEditHistory::Redo() const
-{
-	return CanRedo() ? Steps[Now + 1].Text : throw MakeEditError("there is nothing to do again");
-}
-
-std::string FEditHistory::Reset(const std::optional<std::string>& Pointer) const
-{
-	if (!Pointer)
+	FNext Next{.Text = GetText(), .Step = Now + 1, .Line = WriteJson(Change)};
+	if (const FJsonValue* const Edits = Change.Find("edits"))
 	{
-		return GetStart();
+		const std::vector<FConfigEdit> Read = ReadEdits(*Edits);
+		Next.Text = ApplyEdits(GetText(), Read);
+		Next.Drag = MakeDrag(Change.GetString("drag"), Read);
 	}
-	const std::optional<std::string> Before = FindPlace(GetStart(), *Pointer);
-	const std::optional<std::string> Present = FindPlace(GetText(), *Pointer);
-	return Before == Present ? GetText() : ApplyEdits(GetText(), {{*Pointer, Before}});
+	else if (const bool bUndo = Change.Find("undo") != nullptr; bUndo || Change.Find("redo") != nullptr)
+	{
+		if (bUndo ? !CanUndo() : !CanRedo())
+		{
+			throw MakeEditError(bUndo ? "there is nothing to undo" : "there is nothing to do again");
+		}
+		Next.Step = bUndo ? Now - 1 : Now + 1;
+		Next.Text = Steps[Next.Step].Text;
+		Next.bForward = false;
+	}
+	else if (const FJsonValue* const Place = Change.Find("reset"))
+	{
+		Next.Text = Place->Type == EJsonType::String ? Reset(Place->String) : GetStart();
+	}
+	else if (const FJsonValue* const Text = Change.Find("text"))
+	{
+		Next.Text = Text->String;
+	}
+	else
+	{
+		throw MakeEditError("expected one of edits, undo, redo, reset and text");
+	}
+	return Next;
 }
 
-void FEditHistory::Take(const std::string& Text, EMove Move, const std::string& Line, const std::string& Drag)
+void FEditHistory::Take(const FNext& Next)
 {
 	++Revision;
-	const bool bDragged = !Drag.empty() && Drag == LastDrag && Now > 0 && Steps[Now].Drag == Drag && !CanRedo();
-	LastDrag = Drag;
+	const bool bDragged = !Next.Drag.empty() && Next.Drag == LastDrag && Steps[Now].Drag == Next.Drag && !CanRedo();
+	LastDrag = Next.Drag;
 	if (bDragged)
 	{
-		Steps[Now].Text = Text;
-		Lines.back() = Line;
+		Steps[Now].Text = Next.Text;
+		Lines.back() = Next.Line;
 		return;
 	}
-	Lines.push_back(Line);
-	if (Move == EMove::Forward)
+	Lines.push_back(Next.Line);
+	if (Next.bForward)
 	{
-		Steps.resize(Now + 1);
-		Steps.push_back({Text, Drag});
+		Steps.resize(Next.Step);
+		Steps.push_back({Next.Text, Next.Drag});
 	}
-	Now += Move == EMove::Undo ? size_t(-1) : 1;
-	NumBytes += Line.size() + Text.size() + Drag.size();
+	Now = Next.Step;
+	NumBytes += Next.Line.size() + Next.Text.size() + Next.Drag.size();
 	if (NumBytes > MaxHistoryBytes && Now > 0)
 	{
 		Steps = {Steps.front(), Steps[Now]};
@@ -177,7 +160,7 @@ FEditHistory FEditHistory::Replay(const std::string& Record, const std::string& 
 	{
 		try
 		{
-			ReplayLine(ReadLine(Lines[Index], RecordFile, Index + 1), Lines[Index], History);
+			History.Take(History.Plan(ReadLine(Lines[Index], RecordFile, Index + 1)));
 		}
 		catch (const FError& Error)
 		{

@@ -21,26 +21,24 @@ public:
 	/** Grows with every change of the state. */
 	uint64_t GetRevision() const { return Revision; }
 
-	/** The state that this makes, which Take then takes. Each throws FError (DD1120) where it cannot be. */
-	std::string Edit(const std::vector<FConfigEdit>& Edits) const;
-	std::string Undo() const;
-	std::string Redo() const;
-	/** Pointer: one place back to what it was at the start; empty: all. */
-	std::string Reset(const std::optional<std::string>& Pointer) const;
-
-	enum class EMove
+	/** A state that is not taken yet. */
+	struct FNext
 	{
-		Forward, // a new step
-		Undo,
-		Redo,
+		std::string Text;
+		size_t Step = 0;       // its place among the states
+		std::string Line = {}; // of the record
+		std::string Drag = {}; // the places that a drag sets, and its name; empty: it is none
+		bool bForward = true;  // states behind the place go
 	};
 
-	/** The name of a drag that sets these places; empty: it is none. Id: as the page names it, or empty. */
-	static std::string MakeDrag(const std::string& Id, const std::vector<FConfigEdit>& Edits);
+	/** The state that a change makes: {"edits": [...], "drag": NAME}, {"undo": true}, {"redo": true}, {"reset": PLACE}
+	 * back to the start, all of it without a place, or {"text": CONFIG}. The drag is optional. Throws FError (DD1120)
+	 * where it cannot be. */
+	FNext Plan(const FJsonValue& Change) const;
 
-	/** Line: JSON, for the record. Steps of one drag that follow each other are one step, and one line. After 64 MB
-	 * only the start and this state remain, in the record too. */
-	void Take(const std::string& Text, EMove Move, const std::string& Line, const std::string& Drag = "");
+	/** Steps of one drag that follow each other are one step, and one line of the record. After 64 MB only the start
+	 * and this state remain, in the record too. */
+	void Take(const FNext& Next);
 
 	/** Something beside the text has changed. */
 	void TakeChange() { ++Revision; }
@@ -57,6 +55,9 @@ private:
 		std::string Text;
 		std::string Drag;
 	};
+
+	/** The text with one place as it was at the start. */
+	std::string Reset(const std::string& Pointer) const;
 
 	std::string File;
 	std::vector<FStep> Steps;

@@ -143,12 +143,8 @@ public:
 			});
 		set_pre_routing_handler([this](const httplib::Request& Request, httplib::Response& Response)
 			{ return AnswerWithoutBody(Request, Response) ? HandlerResponse::Handled : HandlerResponse::Unhandled; });
-		const auto AnswerWithBody = [this](const httplib::Request& Request, httplib::Response& Response)
-		{
-			Answer(Request, Response);
-		};
-		Post("/.*", AnswerWithBody);
-		Delete("/.*", AnswerWithBody);
+		Post(
+			"/.*", [this](const httplib::Request& Request, httplib::Response& Response) { Answer(Request, Response); });
 		set_error_handler(HandlerWithResponse(
 			[](const httplib::Request&, httplib::Response& Response)
 			{
@@ -217,14 +213,14 @@ private:
 		const std::string Length = Request.get_header_value("Content-Length");
 		const std::string Type = Request.get_header_value("Content-Type");
 		const bool bBody = !Length.empty() && Length != "0";
-		const int Refusal = Request.target.size() > MaxTarget                                                   ? 414
-							: Request.method != "GET" && Request.method != "POST" && Request.method != "DELETE" ? 405
-							: Request.has_header("Transfer-Encoding")                                           ? 411
-							: Length.find_first_not_of("0123456789") != Length.npos || Length.size() > 9        ? 400
-							: bBody && Request.method == "GET"                                                  ? 400
-							: bBody && std::stoul(Length) > MaxHttpBody                                         ? 413
-							: bBody && !Type.starts_with("application/json")                                    ? 415
-																												: 0;
+		const int Refusal = Request.target.size() > MaxTarget                                            ? 414
+							: Request.method != "GET" && Request.method != "POST"                        ? 405
+							: Request.has_header("Transfer-Encoding")                                    ? 411
+							: Length.find_first_not_of("0123456789") != Length.npos || Length.size() > 9 ? 400
+							: bBody && Request.method == "GET"                                           ? 400
+							: bBody && std::stoul(Length) > MaxHttpBody                                  ? 413
+							: bBody && !Type.starts_with("application/json")                             ? 415
+																										 : 0;
 		if (Refusal != 0)
 		{
 			bRefused = true;
@@ -255,6 +251,13 @@ private:
 		for (const auto& [Name, Value] : Answered.Headers)
 		{
 			Response.set_header(Name.c_str(), Value);
+		}
+		if (Answered.Shared)
+		{
+			Response.set_content_provider(Answered.Shared->size(), Answered.Type,
+				[Shared = Answered.Shared](size_t Offset, size_t Length, httplib::DataSink& Sink)
+				{ return Sink.write(Shared->data() + Offset, Length); });
+			return;
 		}
 		if (!Answered.Next)
 		{

@@ -25,6 +25,8 @@ struct FHttpResponse
 	std::string Type = "application/json";
 	std::map<std::string, std::string> Headers = {};
 	std::string Body = {};
+	/** In place of Body: bytes that others hold, too. */
+	std::shared_ptr<const std::string> Shared = {};
 	/** A response without an end: gives its next part, and false at its end. Empty: Body is all. */
 	std::function<bool(std::string& OutPart)> Next = {};
 };

@@ -1,8 +1,6 @@
 // Keeps a bounded row of messages for each listener: one who does not read loses the oldest.
 #include "Live/LiveEvents.h"
 
-#include "TextTools.h"
-
 #include <chrono>
 
 namespace Drydock
@@ -15,21 +13,13 @@ constexpr size_t MaxListeners = 16;
 constexpr size_t MaxWaiting = 256;
 constexpr std::chrono::seconds Interval(5); // after which a silent stream says that it lives
 
-std::string MakeMessage(const std::string& Name, const std::string& Json)
-{
-	std::string Message = "event: " + Name + "\n";
-	for (const std::string& Line : SplitText(Json))
-	{
-		Message += "data: " + Line + "\n";
-	}
-	return Message + "\n";
-}
-
 } // namespace
 
 void FLiveEvents::Send(const std::string& Name, const std::string& Json)
 {
-	const std::string Message = MakeMessage(Name, Json);
+	std::string Line = Json;
+	std::erase(Line, '\n');
+	const std::string Message = "event: " + Name + "\ndata: " + Line + "\n\n";
 	const std::lock_guard Lock(Mutex);
 	std::erase_if(Listeners, [](const auto& Listener) { return Listener.expired(); });
 	for (const std::weak_ptr<FListener>& Listener : Listeners)

@@ -14,6 +14,7 @@
 #include "TextTools.h"
 
 #include <algorithm>
+#include <malloc.h>
 
 namespace Drydock
 {
@@ -21,14 +22,42 @@ namespace Drydock
 namespace
 {
 
-/** For a run beside the frame's, which computes every pass. */
-FRunOptions BeginOwnRun(FLiveSession& Session)
+/** Ends a run when a change of the state waits. */
+class FGiveWay final : public IDispatchObserver
 {
-	Session.EndRun();
-	FRunOptions Options = Session.MakeOptions();
-	Options.ReuseCache = nullptr;
-	return Options;
-}
+public:
+	explicit FGiveWay(const FLiveSession& InSession)
+		: Session(InSession)
+	{
+	}
+
+	void BeforeDispatch(const FBoundShader&, const FKernelArgs&, const FKernelTile&) override
+	{
+		if (Session.NumChanges > 0)
+		{
+			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
+		}
+	}
+
+private:
+	const FLiveSession& Session;
+};
+
+/** A run beside the frame's, which computes every pass. Its memory is the system's again when it ends: frames do not
+ * need so much. */
+struct FOwnRun : FNoncopyable
+{
+	explicit FOwnRun(FLiveSession& Session)
+	{
+		Session.EndRun();
+		Options = Session.MakeOptions();
+		Options.ReuseCache = nullptr;
+	}
+
+	~FOwnRun() { malloc_trim(0); }
+
+	FRunOptions Options;
+};
 
 std::string MakeAnswer(const std::string& Text, const std::string& Json)
 {
@@ -74,9 +103,22 @@ FStudy FindStudy(FLiveSession& Session)
 
 } // namespace
 
-FPicture ReadPassPicture(FLiveSession& Session, int Pass, const std::string& Resource)
+int ReadAskedNumber(const FJsonValue& Asked, const std::string& Name)
 {
-	FRunOptions Options = BeginOwnRun(Session);
+	const std::string Text = Asked.GetString(Name);
+	if (const std::optional<int> Number = ParseAll<int>(Text))
+	{
+		return *Number;
+	}
+	throw FError({.Code = ErrorBadEdit, .Message = "'" + Text + "' is not a whole number", .Where = Name}, ExitUsage);
+}
+
+FPicture ReadPassPicture(FLiveSession& Session, const FJsonValue& Asked)
+{
+	const int Pass = ReadAskedNumber(Asked, "pass");
+	const std::string Resource = Asked.GetString("resource");
+	FOwnRun Own(Session);
+	FRunOptions& Options = Own.Options;
 	Options.Dump = {Resource};
 	const FRunResult Result = RunConfig(Options);
 	for (const FRunDump& Dump : Result.Dumps)
@@ -92,40 +134,45 @@ FPicture ReadPassPicture(FLiveSession& Session, int Pass, const std::string& Res
 		ExitUsage);
 }
 
-std::string MakeLiveReport(FLiveSession& Session)
+std::string MakeLiveReport(FLiveSession& Session, const FJsonValue&)
 {
-	FRunOptions Options = BeginOwnRun(Session);
+	FOwnRun Own(Session);
+	FRunOptions& Options = Own.Options;
 	Options.bKeepForReport = true;
 	const FRunResult Result = RunConfig(Options);
 	return MakeRunReportData(Options, Result);
 }
 
-std::string MakeLedgerJson(FLiveSession& Session, const std::string& Setting)
+std::string MakeLedgerJson(FLiveSession& Session, const FJsonValue& Asked)
 {
-	const std::vector<size_t> Fields = FindSettings({Setting});
-	const FRunSetup Setup(BeginOwnRun(Session));
+	const std::vector<size_t> Fields = FindSettings({Asked.GetString("setting")});
+	const FOwnRun Own(Session);
+	const FRunSetup Setup(Own.Options);
 	return MakeBlendJson(MakeBlendReport(Setup, "view", Setup.Config.Plugins.empty()), Fields);
 }
 
-std::string ProbeLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+std::string ProbeLive(FLiveSession& Session, const FJsonValue& Asked)
 {
+	const std::string Pass = Asked.GetString("pass");
 	FProbeRequest Request;
-	Request.X = X;
-	Request.Y = Y;
+	Request.X = ReadAskedNumber(Asked, "x");
+	Request.Y = ReadAskedNumber(Asked, "y");
 	Request.Passes = Pass.empty() ? "*" : Pass;
-	const FProbedRun Probed = ProbeRun(BeginOwnRun(Session), Request);
+	const FOwnRun Own(Session);
+	const FProbedRun Probed = ProbeRun(Own.Options, Request);
 	return MakeAnswer(MakeProbeText(Probed.Passes, {}, Request), MakeProbeJson(Probed.Passes, {}, Request));
 }
 
-std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pass)
+std::string TraceLive(FLiveSession& Session, const FJsonValue& Asked)
 {
 	FTraceRequest Request;
-	Request.Pass = Pass;
-	Request.At = {X, Y, 0};
+	Request.Pass = Asked.GetString("pass");
+	Request.At = {ReadAskedNumber(Asked, "x"), ReadAskedNumber(Asked, "y"), 0};
+	const FOwnRun Own(Session);
 	FTraceCapture Capture(Request);
 	{
 		const FScopedDispatchObserver Scope(Capture);
-		RunConfig(BeginOwnRun(Session));
+		RunConfig(Own.Options);
 	}
 	std::string Text;
 	for (const FCapturedTrace& Captured : Capture.GetTraces())
@@ -135,26 +182,20 @@ std::string TraceLive(FLiveSession& Session, int X, int Y, const std::string& Pa
 	return MakeAnswer(Text, MakeTraceJson(Capture.GetTraces(), Request));
 }
 
-std::string MeasurePrice(FLiveSession& Session, const std::function<bool()>& IsLate)
+std::string MeasurePrice(FLiveSession& Session, const FJsonValue&)
 {
 	constexpr int NumRuns = 5;
-	const auto CheckTime = [&]
-	{
-		if (IsLate())
-		{
-			throw FError({.Code = ErrorBadEdit, .Message = "the state changed before its price was known"}, ExitUsage);
-		}
-	};
 	const FStudy Study = FindStudy(Session);
-	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(BeginOwnRun(Session), Study);
+	const FOwnRun Own(Session);
+	const std::unique_ptr<IStudySubject> Subject = MakeFrameSubject(Own.Options, Study);
+	FGiveWay GiveWay(Session);
+	const FScopedDispatchObserver Scope(GiveWay);
 	FMeasured Measured = Subject->Run({}); // warms up
 	std::vector<double> Times;
 	for (int Run = 0; Run < NumRuns; ++Run)
 	{
-		CheckTime();
 		Times.push_back(Subject->Run({}).Milliseconds);
 	}
-	CheckTime();
 	std::ranges::sort(Times);
 	const FMeasured Exact = Subject->RunReference({});
 	FLiveDot Dot{

@@ -1,7 +1,7 @@
 // Writes JSON for the page: messages, frames, states.
 #pragma once
 
-#include "Diagnostics.h"
+#include "Text/Json.h"
 
 #include <cstdint>
 #include <string>
@@ -23,9 +23,9 @@ std::string MakeFaultJson(uint64_t Revision, std::vector<FDiagnostic> Messages);
 std::string MakeFrameJson(uint64_t Revision, const FRunResult& Result, double WholeMs);
 
 /** All that a page shows of a session. Begins its run. */
-std::string MakeStateJson(FLiveSession& Session);
+std::string MakeStateJson(FLiveSession& Session, const FJsonValue& Asked);
 
-/** A name as the engine's editor shows it where nobody gives another: "Bloom Intensity" of BloomIntensity. */
-DRYDOCK_API std::string MakeDisplayName(const std::string& Name, bool bBool);
+/** {"pictures"}: files beside the config and one folder below, at most 200, as the config would name them. */
+std::string ListPictures(FLiveSession& Session, const FJsonValue& Asked);
 
 } // namespace Drydock

@@ -10,38 +10,24 @@
 namespace Drydock
 {
 
-/** The kept one's view of the folder. */
-class DRYDOCK_API FLiveKeep
+/** State that outlived a crash; as it is by default: there was none. */
+struct FLiveBefore
 {
-public:
-	explicit FLiveKeep(std::string InFolder);
-
-	/** Address of the server that crashed; nothing: this is the first. */
-	struct FDoor
-	{
-		int Port = 0;
-		std::string Token;
-	};
-	std::optional<FDoor> ReadDoor() const;
-	void WriteDoor(const FDoor& Door) const;
-
-	/** The state of the last frame that was well; nothing: this is the first, or there was none. */
-	std::optional<FEditHistory> ReadHistory() const;
-
-	/** The last line that the crash left on stderr; empty: there was none. */
-	std::string ReadCrash() const;
-
-	/** A frame of this state was well. */
-	void Write(const FEditHistory& History) const;
-
-private:
-	std::string GetFile(const char* Name) const { return Folder + "/" + Name; }
-
-	const std::string Folder;
+	int Port = 0;
+	std::string Token;
+	std::optional<FEditHistory> History; // of the last frame that was well
+	std::string Crash;                   // the last line that the crash left on stderr
 };
 
 /** The folder's name in the environment; null: this process is the one that keeps. */
 const char* FindLiveFolder();
+
+/** For the kept one, which from here on does not outlive the one that keeps it. */
+FLiveBefore BeginKept(const std::string& Folder);
+
+/** The server's address, and a state whose frame was well, for the next one. */
+void KeepAddress(const std::string& Folder, int Port, const std::string& Token);
+void KeepHistory(const std::string& Folder, const FEditHistory& History);
 
 /** Runs this program again with the same arguments, and once more after each crash that came after a frame which was
  * well. Returns its exit code. Throws FError where it cannot be started. */

@@ -3,6 +3,7 @@
 
 #include "Run/RunResult.h"
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
@@ -19,10 +20,14 @@ struct FLivePicture
 	uint64_t Revision = 0;
 	FPicture Final;
 	std::string Codes; // rows from the top, RGBA of 8 bits: what final.png holds, and 255
+	int Step = 1;
+	std::string Small; // ShrinkCodes of Step; empty where that is 1
 };
 
-/** Makes it, by all threads. */
-DRYDOCK_API std::shared_ptr<const FLivePicture> MakeLivePicture(uint64_t Revision, const FRunResult& Result);
+/** The codes of a smaller picture: means of Step x Step texels, of fewer at the right and at the bottom. Step: up
+ * to 16.
+ */
+DRYDOCK_API std::string ShrinkCodes(const FLivePicture& Picture, int Step);
 
 /** Bytes of 32-bit floats, RGBA, rows from the top. Alpha is 1 where the picture has none. bAsFile: the numbers that
  * WriteExr writes, which are half floats where they fit. */
@@ -34,8 +39,11 @@ class DRYDOCK_API FLivePictures
 public:
 	using FHandle = std::shared_ptr<const FLivePicture>;
 
-	/** The newest. The first one is the start's. */
-	void Add(const FHandle& Picture);
+	/** Makes the newest, by all threads; for one caller at a time. The first one is the start's. */
+	void Add(uint64_t Revision, const FRunResult& Result);
+
+	/** The step for which the next pictures have small ones. */
+	void SetStep(int InStep) { Step = InStep; }
 
 	/** Keeps the newest under a name. */
 	void Keep(const std::string& Name);
@@ -45,8 +53,10 @@ public:
 	FHandle Find(const std::string& Name) const;
 
 private:
-	mutable std::mutex Mutex;
-	std::deque<FHandle> Last; // the newest first
+	mutable std::recursive_mutex Mutex; // pictures end in its scope
+	std::string Spare;                  // the bytes of the last picture that ended
+	std::deque<FHandle> Last;           // the newest first
+	std::atomic<int> Step = 1;
 	std::map<std::string, FHandle> Kept;
 };
 

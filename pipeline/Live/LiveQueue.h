@@ -28,7 +28,7 @@ public:
 	}
 
 	/** Does the next task; waits for one as long as Most. False: there was none. */
-	bool RunNext(std::chrono::milliseconds Most)
+	bool RunNext(std::chrono::steady_clock::duration Most)
 	{
 		std::function<void()> Task;
 		{

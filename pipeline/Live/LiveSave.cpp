@@ -100,41 +100,41 @@ std::string MakeEngineText(const FConfig& Config)
 
 } // namespace
 
-ELiveSave SaveConfig(FLiveSession& Session, const std::string& Path, bool bAgain)
+std::string SaveConfig(FLiveSession& Session, const FJsonValue& Request)
 {
+	const std::string Path = Request.GetString("path");
+	const FJsonValue* const Again = Request.Find("again");
 	const Files::path Home = Resolve(Session.GetHistory().GetFile()).parent_path();
-	const Files::path Given = Files::path(Path);
-	const Files::path File = Resolve(Given.is_absolute() ? Given : Home / Given);
+	const Files::path File = Resolve(Home / Path);
 	if (Path.find('\0') != std::string::npos || File.extension() != ".json")
 	{
 		throw MakePlaceError("a config is saved as a file that ends in .json", Path);
 	}
 	const std::string& Out = Session.GetOptions().OutputFolder;
-	const bool bBeside = File.parent_path() == Home;
-	if (!bBeside && (Out.empty() || !IsBelow(File, Resolve(Out))))
+	if (File.parent_path() != Home && (Out.empty() || !IsBelow(File, Resolve(Out))))
 	{
 		throw MakePlaceError("a config is saved beside the one that was opened" +
 								 (Out.empty() ? std::string() : ", or in " + Out) + ", and nowhere else",
 			Path);
 	}
 	std::error_code Error;
-	if (const Files::file_status Status = Files::symlink_status(File, Error); Files::exists(Status))
+	const Files::file_status Status = Files::symlink_status(File, Error);
+	if (Files::exists(Status) && !Files::is_regular_file(Status))
 	{
-		if (!Files::is_regular_file(Status))
-		{
-			throw MakePlaceError("this is not a file", Path);
-		}
-		if (!bAgain)
-		{
-			return ELiveSave::Exists;
-		}
+		throw MakePlaceError("this is not a file", Path);
+	}
+	if (Files::exists(Status) && (Again == nullptr || !Again->Bool))
+	{
+		throw FError(
+			{.Code = ErrorFileExists, .Message = "the file exists: ask again to replace it", .File = Path}, ExitUsage);
 	}
 	WriteTextFile(File.string(), MoveConfig(Session, Home, File.parent_path()));
-	return ELiveSave::Done;
+	return "{\"saved\": " + FJsonWriter::Quote(Path) + "}\n";
 }
 
-std::string MakeLiveText(FLiveSession& Session, const std::string& As)
+std::string MakeLiveText(FLiveSession& Session, const FJsonValue& Asked)
 {
+	const std::string As = Asked.GetString("as");
 	if (As == "config")
 	{
 		return Session.GetHistory().GetText();

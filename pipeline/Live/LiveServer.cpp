@@ -4,13 +4,13 @@
 #include "Live/LiveErrors.h"
 #include "Live/LiveInspect.h"
 #include "Live/LiveJson.h"
-#include "Live/LivePage.h"
 #include "Live/LiveSave.h"
-#include "Text/JsonWriter.h"
+#include "Report/ReportPage.h"
+#include "Text/TextFile.h"
+#include "TextTools.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <sys/random.h>
 #include <thread>
 
@@ -23,6 +23,10 @@ namespace
 constexpr const char* Policy =
 	"default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
 	"blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+constexpr int MaxStep = 16; // of a smaller picture
+
+const std::string PicturePath = "GET /api/picture/";
 
 std::string MakeToken()
 {
@@ -63,16 +67,6 @@ FHttpResponse Refuse(int Status, const std::string& Message)
 	return {.Status = Status, .Body = MakeMessagesJson({{.Code = ErrorBadEdit, .Message = Message}})};
 }
 
-FHttpResponse Give(const std::string& Json)
-{
-	return {.Body = Json};
-}
-
-FHttpResponse GiveText(const std::string& Text)
-{
-	return {.Type = "text/plain; charset=utf-8", .Body = Text};
-}
-
 FHttpResponse GivePicture(int Width, int Height, const char* Type, std::string Bytes)
 {
 	return {.Type = "application/octet-stream",
@@ -81,31 +75,63 @@ FHttpResponse GivePicture(int Width, int Height, const char* Type, std::string B
 		.Body = std::move(Bytes)};
 }
 
-/** The body's object; an empty one where there is none. Throws FError. */
-FJsonValue ReadBody(const FHttpRequest& Request)
+/** The body's object, with the texts of the query. Throws FError. */
+FJsonValue ReadAsked(const FHttpRequest& Request)
 {
 	std::vector<FDiagnostic> Faults;
 	bool bSyntaxError = false;
-	FJsonValue Body = ParseJson(Request.Body.empty() ? "{}" : Request.Body, "", Faults, bSyntaxError);
-	if (bSyntaxError || !Faults.empty() || Body.Type != EJsonType::Object)
+	FJsonValue Asked = ParseJson(Request.Body.empty() ? "{}" : Request.Body, "", Faults, bSyntaxError);
+	if (bSyntaxError || !Faults.empty() || Asked.Type != EJsonType::Object)
 	{
 		throw FError({.Code = ErrorBadEdit, .Message = "the request's body is not a JSON object"}, ExitUsage);
 	}
-	return Body;
+	for (const auto& [Name, Text] : Request.Query)
+	{
+		FJsonValue& Value = Asked.Members.emplace_back(FJsonMember{Name, {}}).Value;
+		Value.Type = EJsonType::String;
+		Value.String = Text;
+	}
+	return Asked;
 }
 
-int ReadNumber(const std::map<std::string, std::string>& Query, const std::string& Name)
+std::string ChangeState(FLiveSession& Session, const FJsonValue& Asked)
 {
-	const std::string Text = Find(Query, Name);
-	int Number = 0;
-	const auto [End, Fault] = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
-	if (Fault != std::errc() || End != Text.data() + Text.size() || Text.empty())
-	{
-		throw FError(
-			{.Code = ErrorBadEdit, .Message = "'" + Text + "' is not a whole number", .Where = Name}, ExitUsage);
-	}
-	return Number;
+	Session.Change(Asked);
+	return "{\"revision\": " + std::to_string(Session.GetHistory().GetRevision()) + "}\n";
 }
+
+std::string AddPin(FLiveSession& Session, const FJsonValue& Asked)
+{
+	return "{\"pin\": " + std::to_string(Session.Pin(Asked.GetString("name"))) + "}\n";
+}
+
+std::string RemovePin(FLiveSession& Session, const FJsonValue& Asked)
+{
+	Session.Unpin(static_cast<int>(Asked.GetNumber("pin", 0.0)));
+	return "{}\n";
+}
+
+std::string GetRecord(FLiveSession& Session, const FJsonValue&)
+{
+	return Session.GetHistory().GetRecord();
+}
+
+/** The requests that the session's thread answers with JSON, or with text. */
+const std::map<std::string, std::string (*)(FLiveSession& Session, const FJsonValue& Asked)> Routes = {
+	{"GET /api/state", MakeStateJson},
+	{"GET /api/pictures", ListPictures},
+	{"GET /api/session", GetRecord},
+	{"GET /api/text", MakeLiveText},
+	{"GET /api/report/now", MakeLiveReport},
+	{"GET /api/ledger", MakeLedgerJson},
+	{"GET /api/probe", ProbeLive},
+	{"GET /api/trace", TraceLive},
+	{"POST /api/edit", ChangeState},
+	{"POST /api/pin", AddPin},
+	{"POST /api/unpin", RemovePin},
+	{"POST /api/save", SaveConfig},
+	{"POST /api/price", MeasurePrice},
+};
 
 } // namespace
 
@@ -135,30 +161,31 @@ std::string FLiveServer::GetAddress() const
 void FLiveServer::Serve()
 {
 	using FClock = std::chrono::steady_clock;
-	constexpr std::chrono::milliseconds Interval(200);  // of looks at files
-	constexpr std::chrono::milliseconds MostBefore(20); // of requests while a frame is wanted
-	FClock::time_point NextLook = FClock::now() + Interval;
+	constexpr std::chrono::milliseconds Interval(200);    // between looks at files, and before one after a frame
+	constexpr std::chrono::milliseconds MostUnseen(2000); // while frame follows frame
+	constexpr std::chrono::milliseconds MostBefore(20);   // of requests while a frame is wanted
+	constexpr FClock::duration None(0);
 	Session.LookAtFiles();
+	FClock::time_point LastLook = FClock::now();
+	FClock::time_point NextLook = LastLook + Interval;
 	while (!bEnd)
 	{
 		const FClock::time_point Begin = FClock::now();
-		const bool bFrame = Session.IsFrameWanted();
-		const auto Left = bFrame ? std::chrono::milliseconds(0)
-								 : std::chrono::duration_cast<std::chrono::milliseconds>(NextLook - Begin);
-		if (Queue.RunNext(std::max(Left, std::chrono::milliseconds(0))))
+		const FClock::duration Left = Session.IsFrameWanted() ? None : std::max(NextLook - Begin, None);
+		for (bool bNext = Queue.RunNext(Left); bNext && !bEnd && FClock::now() < Begin + Left + MostBefore;)
 		{
-			while (!bEnd && FClock::now() < Begin + MostBefore && Queue.RunNext(std::chrono::milliseconds(0)))
-			{
-			}
+			bNext = Queue.RunNext(None);
 		}
 		if (!bEnd && Session.IsFrameWanted())
 		{
 			Session.RunFrame();
+			NextLook = std::min(FClock::now() + Interval, LastLook + MostUnseen);
 		}
 		if (!bEnd && FClock::now() >= NextLook)
 		{
 			Session.LookAtFiles();
-			NextLook = FClock::now() + Interval;
+			LastLook = FClock::now();
+			NextLook = LastLook + Interval;
 		}
 	}
 }
@@ -195,7 +222,9 @@ FHttpResponse FLiveServer::Answer(const FHttpRequest& Request)
 		catch (...)
 		{
 			const FError Error = Session.GetOptions().Explain(std::current_exception());
-			Response.Status = Error.GetExitCode() >= ExitInternal ? 500 : 422;
+			Response.Status = Error.GetExitCode() >= ExitInternal                      ? 500
+							  : Error.GetDiagnostics().front().Code == ErrorFileExists ? 409
+																					   : 422;
 			Response.Body = MakeMessagesJson(Error.GetDiagnostics());
 		}
 	}
@@ -205,15 +234,12 @@ FHttpResponse FLiveServer::Answer(const FHttpRequest& Request)
 	return Response;
 }
 
-FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request)
+FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request, const std::string& Name)
 {
 	const std::string Kind = Find(Request.Query, "kind");
-	const std::string Name = Request.Path.substr(std::string("/api/picture/").size());
 	if (Kind == "pass")
 	{
-		const int Pass = ReadNumber(Request.Query, "pass");
-		const std::string Resource = Find(Request.Query, "resource");
-		const FPicture Picture = Queue.Call([&] { return ReadPassPicture(Session, Pass, Resource); });
+		const FPicture Picture = Queue.Call([&] { return ReadPassPicture(Session, ReadAsked(Request)); });
 		return GivePicture(Picture.Width, Picture.Height, "float32", MakeFloatBytes(Picture, false));
 	}
 	const FLivePictures::FHandle Picture = Pictures.Find(Name);
@@ -226,122 +252,58 @@ FHttpResponse FLiveServer::AnswerPicture(const FHttpRequest& Request)
 		return Refuse(404, "a picture's kind is final8, final or pass");
 	}
 	const FPicture& Final = Picture->Final;
-	return Kind == "final8" ? GivePicture(Final.Width, Final.Height, "uint8", Picture->Codes)
-							: GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
-}
-
-FHttpResponse FLiveServer::Change(const std::function<void()>& Do)
-{
-	++NumChanges;
-	return Give(Queue.Call(
-		[this, &Do]
-		{
-			--NumChanges;
-			Do();
-			return "{\"revision\": " + std::to_string(Session.GetHistory().GetRevision()) + "}\n";
-		}));
+	if (Kind == "final")
+	{
+		return GivePicture(Final.Width, Final.Height, "float32", MakeFloatBytes(Final.Take(3), true));
+	}
+	const int Step = std::clamp(ParseAll<int>(Find(Request.Query, "step")).value_or(1), 1, MaxStep);
+	const bool bSmall = Step > 1 && Picture->Step == Step;
+	Pictures.SetStep(Step);
+	FHttpResponse Response = GivePicture(
+		Final.Width, Final.Height, "uint8", Step > 1 && !bSmall ? ShrinkCodes(*Picture, Step) : std::string());
+	if (Step == 1 || bSmall)
+	{
+		Response.Shared = std::shared_ptr<const std::string>(Picture, bSmall ? &Picture->Small : &Picture->Codes);
+	}
+	return Response;
 }
 
 FHttpResponse FLiveServer::Route(const FHttpRequest& Request)
 {
-	const std::string& Path = Request.Path;
-	const bool bGet = Request.Method == "GET";
-	if (bGet && Path == "/")
+	const std::string What = Request.Method + " " + Request.Path;
+	if (What == "GET /")
 	{
-		return {.Type = "text/html; charset=utf-8", .Body = ReadLivePage()};
+		return {.Type = "text/html; charset=utf-8",
+			.Body = ReadTextFile(
+				FindPageFile("live.html"), "drydock's own file cannot be opened: is drydock installed completely?")};
 	}
-	if (bGet && Path == "/api/events")
+	if (What == "GET /api/events")
 	{
 		FHttpResponse Stream{.Type = "text/event-stream", .Next = Events.Listen()};
 		return Stream.Next ? Stream : Refuse(503, "too many pages listen already");
 	}
-	if (bGet && Path.starts_with("/api/picture/"))
+	if (What.starts_with(PicturePath))
 	{
-		return AnswerPicture(Request);
+		return AnswerPicture(Request, What.substr(PicturePath.size()));
 	}
-	if (bGet && Path == "/api/state")
+	const auto Found = Routes.find(What);
+	if (What != "POST /api/end" && Found == Routes.end())
 	{
-		return Give(Queue.Call([&] { return MakeStateJson(Session); }));
+		return Refuse(404, "there is no " + What);
 	}
-	if (bGet && Path == "/api/session")
-	{
-		return GiveText(Queue.Call([&] { return Session.GetHistory().GetRecord(); }));
-	}
-	if (bGet && Path == "/api/text")
-	{
-		return GiveText(Queue.Call([&] { return MakeLiveText(Session, Find(Request.Query, "as")); }));
-	}
-	if (bGet && Path == "/api/report/now")
-	{
-		return Give(Queue.Call([&] { return MakeLiveReport(Session); }));
-	}
-	if (bGet && Path == "/api/ledger")
-	{
-		return Give(Queue.Call([&] { return MakeLedgerJson(Session, Find(Request.Query, "setting")); }));
-	}
-	if (bGet && (Path == "/api/probe" || Path == "/api/trace"))
-	{
-		const int X = ReadNumber(Request.Query, "x");
-		const int Y = ReadNumber(Request.Query, "y");
-		const std::string Pass = Find(Request.Query, "pass");
-		return Give(Queue.Call(
-			[&] { return Path == "/api/probe" ? ProbeLive(Session, X, Y, Pass) : TraceLive(Session, X, Y, Pass); }));
-	}
-	if (Request.Method == "POST" && Path == "/api/edit")
-	{
-		const FJsonValue Body = ReadBody(Request);
-		const FJsonValue* const Edits = Body.Find("edits");
-		const std::vector<FConfigEdit> Read = ReadEdits(Edits != nullptr ? *Edits : FJsonValue());
-		return Change([&] { Session.Edit(Read, Body.GetString("drag")); });
-	}
-	if (Request.Method == "POST" && Path == "/api/undo")
-	{
-		return Change([&] { Session.Undo(); });
-	}
-	if (Request.Method == "POST" && Path == "/api/redo")
-	{
-		return Change([&] { Session.Redo(); });
-	}
-	if (Request.Method == "POST" && Path == "/api/reset")
-	{
-		const FJsonValue Body = ReadBody(Request);
-		const FJsonValue* const Pointer = Body.Find("pointer");
-		const bool bOne = Pointer != nullptr && Pointer->Type == EJsonType::String;
-		return Change([&] { Session.Reset(bOne ? std::optional(Pointer->String) : std::nullopt); });
-	}
-	if (Request.Method == "POST" && Path == "/api/pin")
-	{
-		const std::string Name = ReadBody(Request).GetString("name");
-		return Give("{\"pin\": " + std::to_string(Queue.Call([&] { return Session.Pin(Name); })) + "}\n");
-	}
-	if (Request.Method == "DELETE" && Path.starts_with("/api/pin/"))
-	{
-		const int Number = ReadNumber({{"pin", Path.substr(std::string("/api/pin/").size())}}, "pin");
-		return Change([&] { Session.Unpin(Number); });
-	}
-	if (Request.Method == "POST" && Path == "/api/price")
-	{
-		return Give(Queue.Call([&] { return MeasurePrice(Session, [this] { return NumChanges > 0; }); }));
-	}
-	if (Request.Method == "POST" && Path == "/api/save")
-	{
-		const FJsonValue Body = ReadBody(Request);
-		const FJsonValue* const Again = Body.Find("again");
-		const ELiveSave Saved =
-			Queue.Call([&] { return SaveConfig(Session, Body.GetString("path"), Again != nullptr && Again->Bool); });
-		return Saved == ELiveSave::Exists ? Refuse(409, "the file exists: ask again to replace it")
-										  : Give("{\"saved\": " + FJsonWriter::Quote(Body.GetString("path")) + "}\n");
-	}
-	if (Request.Method == "POST" && Path == "/api/end")
-	{
-		return Give(Queue.Call(
-			[&]
-			{
-				bEnd = true;
-				return std::string("{}\n");
-			}));
-	}
-	return Refuse(404, "there is no " + Request.Method + " " + Path);
+	const FJsonValue Asked = ReadAsked(Request);
+	const int Change = What == "POST /api/edit" ? 1 : 0;
+	Session.NumChanges += Change;
+	FHttpResponse Response;
+	Response.Body = Queue.Call(
+		[&]
+		{
+			Session.NumChanges -= Change;
+			bEnd = Found == Routes.end();
+			return bEnd ? "{}\n" : Found->second(Session, Asked);
+		});
+	Response.Type = What == "GET /api/session" || What == "GET /api/text" ? "text/plain; charset=utf-8" : Response.Type;
+	return Response;
 }
 
 } // namespace Drydock

@@ -35,10 +35,8 @@ private:
 	/** Whether the request comes from our page: Host, Origin and token. */
 	bool IsAllowed(const FHttpRequest& Request) const;
 	FHttpResponse Route(const FHttpRequest& Request);
-	FHttpResponse AnswerPicture(const FHttpRequest& Request);
-
-	/** Do makes another state of it; the answer is its revision. */
-	FHttpResponse Change(const std::function<void()>& Do);
+	/** Name: of the picture, as FLivePictures knows it. */
+	FHttpResponse AnswerPicture(const FHttpRequest& Request, const std::string& Name);
 
 	FLiveSession& Session;
 	FLiveEvents& Events;

@@ -1,9 +1,11 @@
 // Checks each state by setting up its run, which the frame then uses.
 #include "Live/LiveSession.h"
 
+#include "Config/SettingsJson.h"
 #include "DispatchReuse.h"
 #include "Live/LiveErrors.h"
 #include "Live/LiveJson.h"
+#include "RangeTools.h"
 #include "Run/RunFiles.h"
 #include "SceneFile/SceneCache.h"
 #include "Text/JsonWriter.h"
@@ -27,19 +29,29 @@ double MillisecondsSince(std::chrono::steady_clock::time_point Begin)
 	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - Begin).count();
 }
 
-std::string MakeLine(const std::string& Key, const std::string& Json)
+FJsonValue ParseObject(const std::string& Text)
 {
-	return "{" + FJsonWriter::Quote(Key) + ": " + Json + "}";
+	std::vector<FDiagnostic> Faults;
+	bool bSyntaxError = false;
+	return ParseJson(Text, "", Faults, bSyntaxError);
 }
 
-std::string MakeEditLine(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
+bool EditsVolume(const FJsonValue& Change)
 {
-	std::string List;
-	for (const FConfigEdit& Edit : Edits)
-	{
-		List += (List.empty() ? "" : ", ") + WriteEdit(Edit);
-	}
-	return "{\"edits\": [" + List + "]" + (Drag.empty() ? "" : ", \"drag\": " + FJsonWriter::Quote(Drag)) + "}";
+	return std::ranges::any_of(Change.GetElements("edits"),
+		[](const FJsonValue& Edit) { return Edit.GetString("set").starts_with("/volumes/"); });
+}
+
+/** The edits, behind one that writes the volumes of the config into its text. */
+void WriteVolumesFirst(const FConfig& Config, FJsonValue& Change)
+{
+	std::vector<FDiagnostic> Ignored; // shapes that are not boxes, which no scene gives
+	FJsonWriter Writer('{');
+	Writer.Member("set", "/volumes");
+	WriteVolumes(Writer.Key("value"), ToVector<FVolumeText>(Config.Volumes, [&](const FConfigVolume& Volume)
+										  { return MakeVolumeText(Volume, Config.File, Ignored); }));
+	std::vector<FJsonValue>& Edits = std::ranges::find(Change.Members, "edits", &FJsonMember::Key)->Value.Elements;
+	Edits.insert(Edits.begin(), ParseObject(Writer.GetText()));
 }
 
 } // namespace
@@ -91,40 +103,23 @@ const FConfig& FLiveSession::BeginRun()
 	return Run->GetConfig();
 }
 
-void FLiveSession::Take(
-	const std::string& Text, FEditHistory::EMove Move, const std::string& Line, const std::string& Drag)
+void FLiveSession::Change(FJsonValue Asked)
 {
-	Prepare(Text);
-	History.Take(Text, Move, Line, Drag);
+	if (EditsVolume(Asked) && BeginRun().VolumesFromScene.Value)
+	{
+		WriteVolumesFirst(Run->GetConfig(), Asked);
+	}
+	const FEditHistory::FNext Next = History.Plan(Asked);
+	if (Next.bForward && Next.Text == History.GetText())
+	{
+		return;
+	}
+	Prepare(Next.Text);
+	History.Take(Next);
 	CrashJson = "null";
 	bFrameWanted = true;
 	bNewFiles = true;
 	TellState();
-}
-
-void FLiveSession::Edit(const std::vector<FConfigEdit>& Edits, const std::string& Drag)
-{
-	const std::string Text = History.Edit(Edits);
-	if (Text != History.GetText())
-	{
-		Take(Text, FEditHistory::EMove::Forward, MakeEditLine(Edits, Drag), FEditHistory::MakeDrag(Drag, Edits));
-	}
-}
-
-void FLiveSession::Undo()
-{
-	Take(History.Undo(), FEditHistory::EMove::Undo, MakeLine("undo", "true"));
-}
-
-void FLiveSession::Redo()
-{
-	Take(History.Redo(), FEditHistory::EMove::Redo, MakeLine("redo", "true"));
-}
-
-void FLiveSession::Reset(const std::optional<std::string>& Pointer)
-{
-	Take(History.Reset(Pointer), FEditHistory::EMove::Forward,
-		MakeLine("reset", Pointer ? FJsonWriter::Quote(*Pointer) : "null"));
 }
 
 int FLiveSession::Pin(const std::string& Name)
@@ -174,7 +169,7 @@ void FLiveSession::RunStart()
 		Prepare(History.GetStart());
 		const FRunResult Start = Run->Run(std::nullopt, {});
 		StartSettings = Start.Settings;
-		Pictures.Add(MakeLivePicture(FirstRevision, Start));
+		Pictures.Add(FirstRevision, Start);
 	}
 	catch (const FError&)
 	{
@@ -194,13 +189,12 @@ void FLiveSession::RunFrame()
 		}
 		Prepare(History.GetText());
 		Frame = Run->Run(std::nullopt, {});
-		const auto Picture = MakeLivePicture(History.GetRevision(), *Frame);
 		if (!StartSettings)
 		{
 			StartSettings = Frame->Settings;
 			bNewFiles = true;
 		}
-		Pictures.Add(Picture);
+		Pictures.Add(History.GetRevision(), *Frame);
 		FrameJson = MakeFrameJson(History.GetRevision(), *Frame, MillisecondsSince(Begin));
 		FaultJson = CrashJson;
 		Events.Send("frame", FrameJson);
@@ -255,7 +249,7 @@ void FLiveSession::LookAtFiles()
 	}
 	try
 	{
-		Take(Text, FEditHistory::EMove::Forward, MakeLine("text", FJsonWriter::Quote(Text)));
+		Change(ParseObject("{\"text\": " + FJsonWriter::Quote(Text) + "}"));
 	}
 	catch (...)
 	{

@@ -7,6 +7,7 @@
 #include "Run/Run.h"
 #include "Text/WatchedFiles.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -58,11 +59,9 @@ public:
 	const FLiveOptions& GetOptions() const { return Options; }
 	const FEditHistory& GetHistory() const { return History; }
 
-	/** Changes the state. A state that does not check is refused, and the one before stays: each throws FError. */
-	void Edit(const std::vector<FConfigEdit>& Edits, const std::string& Drag);
-	void Undo();
-	void Redo();
-	void Reset(const std::optional<std::string>& Pointer);
+	/** Changes the state (FEditHistory::Plan); where the scene gives the volumes, an edit of one writes them all into
+	 * the config first. A state that does not check is refused, and the one before stays: throws FError. */
+	void Change(FJsonValue Asked);
 
 	/** Keeps the state and its picture. Returns the pin's number. */
 	int Pin(const std::string& Name);
@@ -98,10 +97,12 @@ public:
 	void AddDot(FLiveDot Dot);
 	std::vector<std::string> GetFiles() const { return Files.GetPaths(); }
 
+	/** Changes that wait for their turn. From any thread. */
+	std::atomic<int> NumChanges = 0;
+
 private:
 	/** Throws FError where the text does not check. */
 	void Prepare(const std::string& Text);
-	void Take(const std::string& Text, FEditHistory::EMove Move, const std::string& Line, const std::string& Drag = "");
 	/** The frame of the start: its settings and its picture. */
 	void RunStart();
 	void TellState();

@@ -1,16 +1,18 @@
 // Writes the state of a session: settings, volumes, variables, show flags and the rest.
 #include "Blend/WalkPath.h"
+#include "Config/FrameSequence.h"
 #include "HAL/ConsoleVariableTools.h"
 #include "Live/LiveJson.h"
 #include "Live/LiveSession.h"
+#include "Picture/ImageFormat.h"
+#include "RangeTools.h"
 #include "Run/FinalSettings.h"
+#include "SettingDisplayNames.h"
 #include "ShowFlags.h"
 #include "Text/JsonWriter.h"
 #include "Text/TextFormat.h"
 #include "TextTools.h"
 
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -20,11 +22,6 @@ namespace Drydock
 
 namespace
 {
-
-bool IsUpper(char Character)
-{
-	return Character >= 'A' && Character <= 'Z';
-}
 
 /** Why a setting does nothing in this frame; empty where an active effect reads it. */
 std::string ExplainUnread(const std::string& Name, const FRunResult& Frame)
@@ -56,12 +53,10 @@ std::string MakeVariableJson(const FConsoleVariableInfo& Info, const FString& Va
 {
 	const std::string Text = *Value;
 	const std::string Type = *Info.Type;
-	double Number = 0.0;
-	const auto [End, Fault] = std::from_chars(Text.data(), Text.data() + Text.size(), Number);
-	const bool bNumber = Fault == std::errc() && End == Text.data() + Text.size() && std::isfinite(Number);
-	return Type == "bool"                 ? (Text == "1" || Text == "true" ? "true" : "false")
-		   : Type != "FString" && bNumber ? NumberText(Number)
-										  : FJsonWriter::Quote(Text);
+	const std::optional<double> Number = ParseAll<double>(Text);
+	return Type == "bool"                                          ? (Text == "1" || Text == "true" ? "true" : "false")
+		   : Type != "FString" && Number && std::isfinite(*Number) ? NumberText(*Number)
+																   : FJsonWriter::Quote(Text);
 }
 
 class FStateWriter
@@ -83,6 +78,7 @@ public:
 		WriteSettings();
 		WriteVolumes();
 		WriteView();
+		WriteFrames();
 		WriteVariables();
 		WriteShowFlags();
 		Writer.Objects("pins", Session.GetPins(),
@@ -111,9 +107,8 @@ private:
 			[&](const FSettingField& Field)
 			{
 				Writer.BeginObject(true);
-				Writer.Members(
-					{{"name", Field.Name}, {"display", MakeDisplayName(Field.Name, Field.Type == ESettingType::Bool)},
-						{"category", Field.Category}, {"type", ToString(Field.Type)}});
+				Writer.Members({{"name", Field.Name}, {"display", GetDisplayName(Field)}, {"category", Field.Category},
+					{"type", ToString(Field.Type)}});
 				Writer.Key("value").Raw(SettingToJson(Field, Field.Get(Values)));
 				Writer.Key("default").Raw(SettingToJson(Field, Field.Default));
 				Writer.Key("start").Raw(SettingToJson(Field, Field.Get(Start)));
@@ -214,6 +209,20 @@ private:
 		Writer.EndObject();
 	}
 
+	/** The frames of a sequence, and the one that is shown. */
+	void WriteFrames()
+	{
+		if (!Config.Scene.Frame)
+		{
+			Writer.Key("sequence").Null();
+			return;
+		}
+		Writer.Key("sequence")
+			.Object({{"frame", *Config.Scene.Frame},
+				{"frames", ToVector<int>(
+							   FindSequenceFrames(Config.Resolve(Config.Scene.Sequence)), &FSequenceFrame::Number)}});
+	}
+
 	/** Whether a variable is set here, or named like an effect that runs. */
 	bool DoesMatter(const FConsoleVariableInfo& Info, const std::set<std::string>& Effects) const
 	{
@@ -279,24 +288,31 @@ private:
 
 } // namespace
 
-std::string MakeDisplayName(const std::string& Name, bool bBool)
+std::string ListPictures(FLiveSession& Session, const FJsonValue&)
 {
-	const size_t First = bBool && Name.size() > 1 && Name[0] == 'b' && IsUpper(Name[1]) ? 1 : 0;
-	std::string Display;
-	for (size_t At = First; At < Name.size(); ++At)
+	namespace Files = std::filesystem;
+	constexpr size_t Most = 200;
+	const Files::path Home = Files::path(Session.GetHistory().GetFile()).parent_path();
+	std::set<std::string> Pictures;
+	std::error_code Error;
+	for (Files::recursive_directory_iterator Entry(Home.empty() ? "." : Home, Error), End;
+		 !Error && Entry != End && Pictures.size() < Most; Entry.increment(Error))
 	{
-		const char Character = Name[At];
-		const char Before = At > First ? Name[At - 1] : '\0';
-		const char Next = At + 1 < Name.size() ? Name[At + 1] : '\0';
-		const bool bWord = IsUpper(Character) && (!IsUpper(Before) || (Next >= 'a' && Next <= 'z'));
-		const bool bNumber = IsDigit(Character) && !IsDigit(Before) && !IsUpper(Before);
-		Display += Before != '\0' && (bWord || bNumber) ? " " : "";
-		Display += Character == '_' ? ' ' : At == First ? static_cast<char>(std::toupper(Character)) : Character;
+		if (Entry.depth() > 0)
+		{
+			Entry.disable_recursion_pending();
+		}
+		if (IsImagePath(Entry->path().string()))
+		{
+			Pictures.insert(Entry->path().lexically_relative(Home.empty() ? "." : Home).generic_string());
+		}
 	}
-	return Display;
+	FJsonWriter Writer('{');
+	Writer.Member("pictures", Pictures);
+	return Writer.GetText();
 }
 
-std::string MakeStateJson(FLiveSession& Session)
+std::string MakeStateJson(FLiveSession& Session, const FJsonValue&)
 {
 	return FStateWriter(Session, Session.BeginRun()).Write();
 }

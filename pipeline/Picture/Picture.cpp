@@ -88,7 +88,30 @@ FPicture FPicture::Take(int NumFirstChannels) const
 
 bool FPicture::MayHoldNonFinite() const
 {
-	return Texture && GetTexelStorageInfo(Texture->GetStorage()).Kind == ETexelKind::Float;
+	if (!Texture || GetTexelStorageInfo(Texture->GetStorage()).Kind != ETexelKind::Float)
+	{
+		return false;
+	}
+	const FTexelStorageInfo& Info = GetTexelStorageInfo(Texture->GetStorage());
+	const size_t NumWords = static_cast<size_t>(Width) * Info.BytesPerTexel / sizeof(uint16_t);
+	std::atomic<bool> bMay = Info.BitsPerChannel != 16;
+	ForEachTile(FKernelTile{0, 0, 0, 1, Height, 1}, FIntPoint(1, 16),
+		[&](const FKernelTile& Tile)
+		{
+			constexpr uint16_t Exponent = 0x7c00; // of a half; all its bits are set in what is not finite
+			for (int Y = Tile.MinY; !bMay && Y < Tile.MaxY; ++Y)
+			{
+				const void* const Row = Texture->GetTexelToRead(Corner.X, Corner.Y + Y);
+				const auto* const Words = static_cast<const uint16_t*>(Row);
+				uint16_t bAny = 0;
+				for (size_t Word = 0; Word < NumWords; ++Word)
+				{
+					bAny |= (Words[Word] & Exponent) == Exponent ? 1 : 0;
+				}
+				bMay = bMay || bAny != 0;
+			}
+		});
+	return bMay;
 }
 
 void FPicture::PasteInto(FRHITexture& Into, FIntPoint Position) const

@@ -43,7 +43,7 @@ public:
 	 * (8 bits and fewer). Looks at every value where the texture has 32 bits a channel. */
 	bool FitsHalf() const;
 
-	/** False: its format has no NaN and no infinity. */
+	/** False: it has no NaN and no infinity. Halves are looked at. */
 	bool MayHoldNonFinite() const;
 
 	/** Writes it into mip 0 of another texture, with its corner at Position; it fits (checked). */

@@ -140,6 +140,12 @@ void MakeDisplayRow(
 {
 	if (IsSrgb(OutputDevice))
 	{
+		if (NumChannels == Step)
+		{
+			std::transform(Row, Row + static_cast<size_t>(Width) * static_cast<size_t>(Step), Bytes,
+				[](float Value) { return ToByte(Value); });
+			return;
+		}
 		for (int X = 0; X < Width; ++X, Row += NumChannels, Bytes += Step)
 		{
 			for (int Channel = 0; Channel < 3; ++Channel)

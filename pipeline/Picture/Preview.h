@@ -15,8 +15,8 @@ namespace Drydock
 DRYDOCK_API std::array<double, 3> MakeDisplayColor(
 	const std::array<double, 3>& Color, EDisplayOutputFormat OutputDevice);
 
-/** A row of a final picture in 8 bits for an sRGB display: red, green and blue to every Step bytes from Bytes on. Row:
- * Width colours, NumChannels numbers each. */
+/** A row of a final picture in 8 bits for an sRGB display: red, green and blue to every Step bytes from Bytes on, and
+ * anything between them. Row: Width colours, NumChannels numbers each. */
 DRYDOCK_API void MakeDisplayRow(
 	const float* Row, int Width, int NumChannels, EDisplayOutputFormat OutputDevice, uint8_t* Bytes, int Step);
 

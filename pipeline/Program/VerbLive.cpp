@@ -16,6 +16,7 @@
 
 #include <cstdlib>
 #include <fcntl.h>
+#include <malloc.h>
 #include <memory>
 #include <spawn.h>
 #include <thread>
@@ -135,38 +136,39 @@ FLiveOptions MakeLiveOptions(const FLiveVerbOptions& Options, const std::string&
 	return Made;
 }
 
-int ServePage(const FLiveVerbOptions& Options, const FLiveKeep& Keep)
+int ServePage(const FLiveVerbOptions& Options, const std::string& Folder)
 {
-	const std::optional<FLiveKeep::FDoor> Before = Keep.ReadDoor();
-	const std::optional<FEditHistory> History = Keep.ReadHistory();
+	// A frame's memory goes to the next frame, not to the system and back, which takes milliseconds.
+	mallopt(M_MMAP_THRESHOLD, 32 << 20);
+	mallopt(M_TRIM_THRESHOLD, 1 << 30);
+	const FLiveBefore Before = BeginKept(Folder);
 	FLiveOptions LiveOptions = MakeLiveOptions(Options, Options.Run.ConfigFile);
-	LiveOptions.Crash = Keep.ReadCrash();
-	LiveOptions.OnFrame = [&Keep](const FEditHistory& Shown)
+	LiveOptions.Crash = Before.Crash;
+	LiveOptions.OnFrame = [&Folder](const FEditHistory& Shown)
 	{
-		Keep.Write(Shown);
+		KeepHistory(Folder, Shown);
 	};
 	FLiveEvents Events;
 	FLivePictures Pictures;
-	FLiveSession Session(LiveOptions, History ? *History : BeginHistory(Options), Events, Pictures);
+	FLiveSession Session(LiveOptions, Before.History ? *Before.History : BeginHistory(Options), Events, Pictures);
 	Session.BeginRun(); // mistakes of the config, before anything starts
-	FLiveServer Server(
-		Session, Events, Pictures, Before ? Before->Port : Options.Port, Before ? Before->Token : std::string());
+	FLiveServer Server(Session, Events, Pictures, Before.Port > 0 ? Before.Port : Options.Port, Before.Token);
 	const FEndAction SayBye(
 		[&Events]
 		{
 			Events.Close();
 			std::this_thread::sleep_for(std::chrono::milliseconds(50)); // until it is sent
 		});
-	std::optional<FTemporaryFolder> Folder;
-	if (!Before)
+	std::optional<FTemporaryFolder> OfBrowser;
+	if (Before.Port == 0)
 	{
-		Keep.WriteDoor({Server.GetPort(), Server.GetToken()});
+		KeepAddress(Folder, Server.GetPort(), Server.GetToken());
 		PrintResult("live     " + Server.GetAddress() + "\n");
 		FlushOutput();
-	}
-	if (!Before && !Options.bNoOpen && HasDisplay())
-	{
-		OpenBrowser(Server.GetAddress(), Folder.emplace());
+		if (!Options.bNoOpen && HasDisplay())
+		{
+			OpenBrowser(Server.GetAddress(), OfBrowser.emplace());
+		}
 	}
 	Server.Serve();
 	return ExitDone;
@@ -203,7 +205,7 @@ int Live(const FLiveVerbOptions& Options)
 		throw BadArgument("is required: a JSON config, or --replay with the record of a session", "CONFIG");
 	}
 	const char* const Folder = FindLiveFolder();
-	return Folder == nullptr ? KeepLive() : ServePage(Options, FLiveKeep(Folder));
+	return Folder == nullptr ? KeepLive() : ServePage(Options, Folder);
 }
 
 } // namespace

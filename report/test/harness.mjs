@@ -6,10 +6,14 @@ import { createRequire } from "node:module";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { test } from "node:test";
 import { chromium } from "playwright-core";
 
 /** Folder of runs that RunBrowserTests.sh made: plain, with an earlier run beside it, and full. */
 export const runs = process.env.REPORT_RUNS;
+
+/** Tests of the suite, and those that run with the long ones alone (RunBrowserTests.sh). */
+export const [quick, long] = process.env.REPORT_LONG ? [test.skip, test] : [test, test.skip];
 
 let browser;
 

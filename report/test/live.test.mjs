@@ -1,9 +1,9 @@
 // The page of `drydock live` before a made-up server (liveMock.mjs): what it sends and when, and what it says when things go
 // wrong. liveServer.test.mjs has the real one.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { axeSource, checkAxe, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
+import { axeSource, checkAxe, long, onPage, quick, startBrowser, stopBrowser, until } from "./harness.mjs";
 import { startMock } from "./liveMock.mjs";
 import { readShown } from "./liveServer.mjs";
 
@@ -14,7 +14,7 @@ const slider = "#set-BloomIntensity";
 const box = '[data-setting="BloomIntensity"] .number-box';
 
 /** Edits that the page sent so far, of one place in the config. */
-const edits = (mock, pointer = "") => mock.log.filter(({ path, body }) => path === "edit" && JSON.stringify(body).includes(pointer));
+const edits = (mock, pointer = "") => mock.log.filter(({ path, body }) => path === "edit" && body.edits && JSON.stringify(body).includes(pointer));
 
 async function withMock(test, { mock: options, ...more } = {}) {
 	const mock = await startMock(options);
@@ -52,7 +52,7 @@ async function showsFrameOf(page, mock, count = 1) {
 	}
 }
 
-test("while a hand drags one edit at most is in flight, the newest value wins, and the page measures itself", async () => {
+quick("while a hand drags one edit at most is in flight, the newest value wins, and the page measures itself", async () => {
 	await withMock(async (page, mock) => {
 		await dragSlider(page, slider, Array.from({ length: 41 }, (_, i) => 0.1 + i * 0.015), 10);
 		const last = Number(await page.inputValue(slider));
@@ -69,7 +69,7 @@ test("while a hand drags one edit at most is in flight, the newest value wins, a
 	}, { mock: { delay: 150 } });
 });
 
-test("at one to one the canvas holds the bytes that the server sent", async () => {
+quick("at one to one the canvas holds the bytes that the server sent", async () => {
 	await withMock(async (page, mock) => {
 		await dragSlider(page, slider, [0.2, 0.5, 0.6]);
 		await showsFrameOf(page, mock);
@@ -82,7 +82,7 @@ test("at one to one the canvas holds the bytes that the server sent", async () =
 	});
 });
 
-test("a bad number stays at its control and is not sent; what the server refuses stands there too", async () => {
+quick("a bad number stays at its control and is not sent; what the server refuses stands there too", async () => {
 	await withMock(async (page, mock) => {
 		const said = '[data-setting="BloomIntensity"] .refused';
 		for (const [typed, expected] of [["abc", /"abc" is not a number/], ["1,5", /Write 1\.5/], ["-3", /Bloom Intensity goes from 0 up; -3 was not sent/]]) {
@@ -103,7 +103,7 @@ test("a bad number stays at its control and is not sent; what the server refuses
 	}, { allow: /422/ });
 });
 
-test("a fault stands above the picture with code and place, the last good picture stays, the next frame clears it", async () => {
+quick("a fault stands above the picture with code and place, the last good picture stays, the next frame clears it", async () => {
 	await withMock(async (page, mock) => {
 		const bytes = () => page.evaluate(() => document.querySelector("#canvas").toDataURL());
 		await page.waitForTimeout(700);
@@ -119,7 +119,7 @@ test("a fault stands above the picture with code and place, the last good pictur
 	});
 });
 
-test("undo, redo and reset by keys and buttons; a second tab and a reload see the same", async () => {
+quick("undo, redo and reset by keys and buttons; a second tab and a reload see the same", async () => {
 	await withMock(async (page, mock) => {
 		const other = await page.context().newPage();
 		await other.goto(mock.url);
@@ -147,7 +147,7 @@ test("undo, redo and reset by keys and buttons; a second tab and a reload see th
 	});
 });
 
-test("a server that goes away is said and waited for; one that has ended says so", async () => {
+long("a server that goes away is said and waited for; one that has ended says so", async () => {
 	await withMock(async (page, mock) => {
 		await mock.breakOff();
 		await page.waitForSelector("#notice .error, #notice .bad");
@@ -172,7 +172,7 @@ test("a server that goes away is said and waited for; one that has ended says so
 	}, { allow: /ERR_|Failed to load/ });
 });
 
-test("a page that is opened before the first frame waits for it, and shows its mistake meanwhile", async () => {
+quick("a page that is opened before the first frame waits for it, and shows its mistake meanwhile", async () => {
 	const mock = await startMock({ ready: false });
 	mock.fail([{ severity: "error", code: "DD4012", message: "unexpected token", where: "", file: "Toon.usf", line: 12 }]);
 	let told;
@@ -183,7 +183,7 @@ test("a page that is opened before the first frame waits for it, and shows its m
 	await mock.breakOff();
 });
 
-test("save asks a second time before it writes over a file; text can be copied; the session is a file", async () => {
+quick("save asks a second time before it writes over a file; text can be copied; the session is a file", async () => {
 	await withMock(async (page, mock) => {
 		const saves = () => mock.log.filter(({ path }) => path === "save").map(({ body }) => body);
 		await page.click("#show-save");
@@ -206,7 +206,7 @@ test("save asks a second time before it writes over a file; text can be copied; 
 	}, { allow: /409/ });
 });
 
-test("settings are found by words, ticked, edited for a volume, and tell why", async () => {
+quick("settings are found by words, ticked, edited for a volume, and tell why", async () => {
 	await withMock(async (page, mock) => {
 		await page.keyboard.press("/");
 		await page.keyboard.type("bloom intensity");
@@ -233,7 +233,7 @@ test("settings are found by words, ticked, edited for a volume, and tell why", a
 	});
 });
 
-test("the camera moves among the volumes by mouse and by arrow keys, and the weights follow", async () => {
+quick("the camera moves among the volumes by mouse and by arrow keys, and the weights follow", async () => {
 	await withMock(async (page, mock) => {
 		await page.click("#tab-volumes");
 		const card = page.locator(".volume-card", { hasText: "Room" });
@@ -257,7 +257,25 @@ test("the camera moves among the volumes by mouse and by arrow keys, and the wei
 	});
 });
 
-test("variables that matter stand there, others are found", async () => {
+quick("a frame of a sequence is chosen; a texture's file is one of those beside the config", async () => {
+	await withMock(async (page, mock) => {
+		assert.equal(await page.inputValue("#frame"), "2");
+		await page.fill("#sequence .number-box", "4"); // which is not there
+		await page.keyboard.press("Enter");
+		await sends(mock, 1);
+		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/scene/frames", value: "3" }]);
+		await until(page, () => document.querySelector("#frame").value === "3");
+		await page.fill("#settings-search", "dirt mask");
+		await page.focus("#set-BloomDirtMask");
+		await until(page, () => [...document.querySelectorAll("#pictures option")].map(({ value }) => value).join() === "textures/dirt.png,lut.png");
+		await page.fill("#set-BloomDirtMask", "textures/dirt.png");
+		await page.keyboard.press("Enter");
+		await sends(mock, 2);
+		assert.deepEqual(edits(mock).at(-1).body.edits, [{ set: "/camera/Settings/BloomDirtMask", value: "textures/dirt.png" }]);
+	});
+});
+
+quick("variables that matter stand there, others are found", async () => {
 	await withMock(async (page, mock) => {
 		await page.click("#tab-variables");
 		assert.deepEqual(await page.locator("#variables [data-variable]").evaluateAll((rows) => rows.map((row) => row.dataset.variable)), ["r.BloomQuality", "r.Tonemapper.Quality", "Bloom", "Vignette"]);
@@ -277,7 +295,7 @@ test("variables that matter stand there, others are found", async () => {
 	}, { allow: /422/ });
 });
 
-test("pins and the start are compared with now; the difference of one state with itself is nothing", async () => {
+quick("pins and the start are compared with now; the difference of one state with itself is nothing", async () => {
 	await withMock(async (page, mock) => {
 		await page.click("#pin");
 		await page.waitForSelector(".pin");
@@ -294,7 +312,7 @@ test("pins and the start are compared with now; the difference of one state with
 	});
 });
 
-test("passes lead into the graph and to their textures; a texel tells how it came about", async () => {
+quick("passes lead into the graph and to their textures; a texel tells how it came about", async () => {
 	await withMock(async (page) => {
 		await page.click("#tab-passes");
 		assert.match(await page.textContent("#passes"), /1 {2}BloomSetup\s*reused/);
@@ -312,7 +330,7 @@ test("passes lead into the graph and to their textures; a texel tells how it cam
 	});
 });
 
-test("each state that was tried leaves a dot when the hand rests", async () => {
+long("each state that was tried leaves a dot when the hand rests", async () => {
 	await withMock(async (page) => {
 		await dragSlider(page, slider, [0.2, 0.7]);
 		await page.click("#tab-price");
@@ -323,7 +341,7 @@ test("each state that was tried leaves a dot when the hand rests", async () => {
 	});
 });
 
-test("everything is done by keys alone", async () => {
+quick("everything is done by keys alone", async () => {
 	await withMock(async (page, mock) => {
 		await page.keyboard.press("/");
 		await page.keyboard.type("bloom intensity");
@@ -346,7 +364,7 @@ test("everything is done by keys alone", async () => {
 	});
 });
 
-test("nothing runs over the side or moves when a picture comes, and axe finds nothing serious, in light and dark", async () => {
+long("nothing runs over the side or moves when a picture comes, and axe finds nothing serious, in light and dark", async () => {
 	const mock = await startMock();
 	mock.fail([{ severity: "error", code: "DD4012", message: "unexpected token\n  12 | x;", where: "MainPS", file: "Toon.usf", line: 12 }, { severity: "note", code: "DD1136", message: "an overlay stands in", where: "" }]);
 	await checkAxe(mock.url, async (page) => {

@@ -12,7 +12,7 @@ function makeSettings() {
 		name, display: name.replace(/^b([A-Z])/, "$1").replaceAll(/([a-z])([A-Z0-9])/g, "$1 $2"),
 		category: (categories.find(([start]) => name.startsWith(start)) ?? ["", "Rendering Features|Other"])[1],
 		type: /Tint|Color\d?$/.test(name) && Array.isArray(value) ? "color" : type === "integer" ? "int32" : typeof value === "number" ? "float" : "other",
-		value, default: value, start: value, overridden: false, inVolumes: [],
+		value: value ?? null, default: value ?? null, start: value ?? null, overridden: false, class: /Mask$/.test(name) ? "Texture" : "", inVolumes: [],
 		range: { clampMin: minimum ?? (name === "BloomIntensity" ? 0 : null), clampMax: maximum ?? null, uiMin: name === "BloomIntensity" ? 0 : null, uiMax: name === "BloomIntensity" ? 8 : null },
 		enum: list?.filter((one) => typeof one === "string"), unit: "", doc: description ?? "", effect: name.startsWith("Bloom") ? "Bloom" : "",
 		unread: /^Bloom|^Vignette|^AutoExposure/.test(name) ? "" : "No active pass reads it: its effect is off.", plugin: name === "BloomToonIntensity" ? "ToonBloom" : "",
@@ -156,13 +156,14 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 		revision, name: "mock", config: "configs/mock.json", canUndo: done.length > 0, canRedo: undone.length > 0, changed: done.length > 0,
 		settings: settings.map(readSetting), volumes: config.volumes.map(weigh),
 		view: { location: config.view.location, rotation: [0, 0, 0], path: [[-135, 10, 145], [-32, -4, 145], [105, -5, 142]] },
+		sequence: { frame: Number(config.scene.frames ?? 2), frames: [1, 2, 3, 5] },
 		variables: [["r.BloomQuality", 5, true], ["r.Tonemapper.Quality", 5, true], ["r.DOF.Gather.RingCount", 5, false]].map(([name, value, matters]) => ({ name, value: config.cvars[name] ?? value, default: value, setBy: name in config.cvars ? "config" : "constructor", matters, doc: "What it does." })),
 		showFlags: [["Bloom", true], ["Vignette", true], ["Grain", false]].map(([name, matters]) => ({ name, value: config.showFlags[name] ?? true, default: true, matters })),
 		pins: [...pins].map(([pin, { name, revision }]) => ({ pin, name, revision })), dots, files: ["configs/mock.json"], frame, fault: fault && { revision, messages: fault },
 	});
 
 	const refuse = (status, message, code = "DD1010") => ({ status, body: { messages: [{ severity: "error", code, message, where: "" }] } });
-	const answer = async (method, path, query, body) => {
+	const answer = async (path, query, body) => {
 		const step = (from, to) => {
 			if (!from.length) {
 				return refuse(422, "there is nothing to undo");
@@ -173,6 +174,18 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 		};
 		if (path === "state") {
 			return makeState();
+		} else if (path === "edit" && !body.edits) {
+			if (!("reset" in body)) {
+				return body.undo ? step(done, undone) : step(undone, done);
+			}
+			const one = typeof body.reset === "string";
+			const next = structuredClone(one ? config : start);
+			if (one) {
+				const old = body.reset.slice(1).split("/").reduce((object, key) => object?.[key], start);
+				apply(next, old === undefined ? { remove: body.reset } : { set: body.reset, value: old });
+			}
+			done.push(config);
+			return change(next);
 		} else if (path === "edit") {
 			const next = structuredClone(config);
 			for (const edit of body.edits) {
@@ -192,23 +205,15 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 			}
 			[undone, lastDrag] = [[], body.drag];
 			return change(next);
-		} else if (path === "undo" || path === "redo") {
-			return path === "undo" ? step(done, undone) : step(undone, done);
-		} else if (path === "reset") {
-			const next = body.pointer ? structuredClone(config) : structuredClone(start);
-			if (body.pointer) {
-				const old = body.pointer.slice(1).split("/").reduce((object, key) => object?.[key], start);
-				apply(next, old === undefined ? { remove: body.pointer } : { set: body.pointer, value: old });
-			}
-			done.push(config);
-			return change(next);
 		} else if (path === "pin") {
 			pins.set(++pinned, { name: body.name ?? `pin ${pinned}`, revision });
 			pictures.set(`pin-${pinned}`, pictures.get("now"));
 			return { pin: pinned };
-		} else if (method === "DELETE" && path.startsWith("pin/")) {
-			pins.delete(Number(path.slice(4)));
+		} else if (path === "unpin") {
+			pins.delete(body.pin);
 			return {};
+		} else if (path === "pictures") {
+			return { pictures: ["textures/dirt.png", "lut.png"] };
 		} else if (path === "report/now") {
 			return makeReport(frame, makeState());
 		} else if (path === "ledger") {
@@ -268,7 +273,7 @@ export async function startMock({ port = 0, delay = 15, width = 480, height = 27
 		} else if (path === "text" || path === "session") {
 			response.writeHead(200, { "Content-Type": "text/plain" }).end(url.searchParams.get("as") === "config" ? "// of the mock\n" + JSON.stringify(config) : `${path} ${url.searchParams.get("as") ?? ""}\n`);
 		} else {
-			const said = await answer(request.method, path, url.searchParams, body);
+			const said = await answer(path, url.searchParams, body);
 			response.writeHead(said.status ?? 200, { "Content-Type": "application/json" }).end(JSON.stringify(said.body ?? said));
 		}
 	});

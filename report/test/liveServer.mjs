@@ -8,7 +8,7 @@ import { inflateSync } from "node:zlib";
 export const drydock = process.env.DRYDOCK;
 export const source = process.env.SOURCE;
 
-/** Calls test with the address of a server of the config; the server must end cleanly after it. */
+/** Calls test with the address of a server of the config and the number of its process; it must end cleanly after the test. */
 export async function withLive(config, more, test) {
 	const server = spawn(drydock, ["live", config, "--no-open", ...more], { stdio: ["ignore", "pipe", "inherit"] });
 	const ended = new Promise((done) => server.on("exit", (code, signal) => done(signal ?? code)));
@@ -22,7 +22,7 @@ export async function withLive(config, more, test) {
 			});
 			ended.then((code) => fail(new Error(`drydock live ended with ${code}: ${said}`)));
 		});
-		await test(url);
+		await test(url, server.pid);
 		await ask(url, "end", {});
 		assert.equal(await ended, 0);
 	} finally {

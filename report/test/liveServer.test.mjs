@@ -5,10 +5,10 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import { findFirefox, withFirefox } from "./firefox.mjs";
-import { axeSource, checkAxe, findSideways, onPage, startBrowser, stopBrowser, until } from "./harness.mjs";
+import { axeSource, checkAxe, findSideways, long, onPage, quick, startBrowser, stopBrowser, until } from "./harness.mjs";
 import { ask, drydock, mapDifference, readPng, readShown, source, withLive } from "./liveServer.mjs";
 
 const toonBloom = source + "/configs/toon_bloom.json";
@@ -44,7 +44,7 @@ async function readPage(page) {
 	return { width: 960, height: 540, bytes: new Uint8Array(Buffer.from(await page.evaluate(readShown, [960, 540]), "base64")) };
 }
 
-test("a dragged slider changes the character's glow alone; saved and run, the config gives the bits that the page showed", async () => {
+quick("a dragged slider changes the character's glow alone; saved and run, the config gives the bits that the page showed", async () => {
 	await withLive(toonBloom, ["--out", folder], (url) => onPage(url, async (page) => {
 		await page.waitForTimeout(1000);
 		const start = await readPage(page);
@@ -76,7 +76,7 @@ test("a dragged slider changes the character's glow alone; saved and run, the co
 	}, wide));
 });
 
-test("a shader is edited into an error and back: the mistake stands above the picture, which stays and then follows", async () => {
+long("a shader is edited into an error and back: the mistake stands above the picture, which stays and then follows", async () => {
 	execFileSync(drydock, ["overlay", "new", "Patch", "--pass", "Tonemap"], { cwd: folder, stdio: "ignore" });
 	const shader = join(folder, "Patch/Engine/Shaders/Private/PostProcessTonemap.usf");
 	const good = readFileSync(shader, "utf8");
@@ -101,7 +101,7 @@ test("a shader is edited into an error and back: the mistake stands above the pi
 	}));
 });
 
-test("by keys alone: a setting is found, moved, taken back and its story read", async () => {
+long("by keys alone: a setting is found, moved, taken back and its story read", async () => {
 	await withLive(toonBloom, [], (url) => onPage(url, async (page) => {
 		const focus = () => page.evaluate(() => document.activeElement.id || document.activeElement.className);
 		const tabTo = async (name) => {
@@ -131,7 +131,7 @@ test("by keys alone: a setting is found, moved, taken back and its story read", 
 	}));
 });
 
-test("a bad number is refused at its control, a name in a text that the config does not take, too", async () => {
+long("a bad number is refused at its control, a name in a text that the config does not take, too", async () => {
 	await withLive(toonBloom, [], (url) => onPage(url, async (page) => {
 		await page.fill('[data-setting="BloomIntensity"] .number-box', "-1");
 		await page.keyboard.press("Enter");
@@ -149,7 +149,7 @@ test("a bad number is refused at its control, a name in a text that the config d
 	}, { allow: /422/ }));
 });
 
-test("the camera walks among the volumes, and their weights and the settings follow", async () => {
+long("the camera walks among the volumes, and their weights and the settings follow", async () => {
 	await withLive(source + "/configs/volumes_walk.json", [], (url) => onPage(url, async (page) => {
 		await page.click("#tab-volumes");
 		const weights = () => page.locator(".volume-card .weight").allTextContents();
@@ -171,7 +171,7 @@ test("the camera walks among the volumes, and their weights and the settings fol
 	}));
 });
 
-test("a pass, its texture, a texel's story and its trace, a price", async () => {
+long("a pass, its texture, a texel's story and its trace, a price", async () => {
 	await withLive(toonBloom, [], (url) => onPage(url, async (page) => {
 		await page.click("#tab-passes");
 		await page.click('#passes .link:has-text("ToonBloomMask")');
@@ -192,7 +192,7 @@ test("a pass, its texture, a texel's story and its trace, a price", async () => 
 	}));
 });
 
-test("nothing runs over the side, and axe finds nothing serious, in light and dark", async () => {
+long("nothing runs over the side, and axe finds nothing serious, in light and dark", async () => {
 	await withLive(toonBloom, [], (url) => checkAxe(url, async (page) => {
 		await page.evaluate(() => {
 			document.querySelector("#graph-fold").open = true;
@@ -204,7 +204,7 @@ test("nothing runs over the side, and axe finds nothing serious, in light and da
 
 const firefox = findFirefox();
 
-test("Firefox: a slider by keys, the picture follows with the server's bytes, narrow and wide", { skip: firefox ? false : "there is no Firefox: apt-get install firefox-esr" }, async () => {
+long("Firefox: a slider by keys, the picture follows with the server's bytes, narrow and wide", { skip: firefox ? false : "there is no Firefox: apt-get install firefox-esr" }, async () => {
 	await withLive(toonBloom, [], (url) => withFirefox(firefox, async (send) => {
 		const ask_ = async (script) => (await send("WebDriver:ExecuteScript", { script, args: [] })).value;
 		const press = (...keys) => send("WebDriver:PerformActions", { actions: [{ type: "key", id: "key", actions: keys.flatMap((value) => [{ type: "keyDown", value }, { type: "keyUp", value }]) }] });

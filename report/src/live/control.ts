@@ -3,6 +3,7 @@ import { el } from "../dom";
 import { number } from "../format";
 import { linearToSrgb, srgbToLinear } from "../picture/pixels";
 import { Json, Message } from "./data";
+import { get } from "./server";
 
 export interface ControlOptions {
 	id: string;
@@ -11,6 +12,7 @@ export interface ControlOptions {
 	value: Json;
 	range?: { clampMin: number | null; clampMax: number | null; uiMin: number | null; uiMax: number | null };
 	enum?: string[];
+	objectClass?: string; // of a text: Texture, Texture2D, TextureCube or CurveFloat
 	guess?: number; // a value beside which a slider without bounds must have room
 	send: (value: Json, drag?: string, at?: number) => void;
 	refuse: (message: string) => void; // empty: the value is fine
@@ -153,6 +155,13 @@ function makeParts(options: ControlOptions, start: number[], colored: boolean): 
 	};
 }
 
+/** The pictures beside the config, to choose from. */
+async function listPictures(): Promise<void> {
+	const { pictures } = await get<{ pictures: string[] }>("pictures").catch(() => ({ pictures: [] }));
+	const list = document.querySelector("#pictures") ?? document.body.appendChild(el("datalist", { id: "pictures" }));
+	list.replaceChildren(...pictures.map((value) => el("option", { value })));
+}
+
 function makeText(options: ControlOptions): Control {
 	const field = makeField(options, options.label, "text-box", (text) => {
 		try {
@@ -163,7 +172,11 @@ function makeText(options: ControlOptions): Control {
 		}
 	});
 	field.input.id = options.id;
-	field.input.placeholder = "none";
+	field.input.placeholder = options.objectClass === "CurveFloat" ? "none, or keys: linear(-4 1, 0 0, 4 -1)" : options.objectClass ? "none, or the path of a picture" : "none";
+	if (options.objectClass?.startsWith("Texture")) {
+		field.input.setAttribute("list", "pictures");
+		field.input.addEventListener("focus", () => void listPictures());
+	}
 	return { element: el("div", { class: "control" }, field.input), show: (value) => field.show(value === null ? "" : typeof value === "string" ? value : JSON.stringify(value)) };
 }
 

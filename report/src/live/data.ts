@@ -20,6 +20,7 @@ export interface LiveSetting {
 	display: string;
 	category: string; // "Lens|Bloom"
 	type: string;
+	class: string; // of an object's type, as "Texture2D"
 	value: Json; // as blended
 	default: Json;
 	start: Json;
@@ -86,6 +87,7 @@ export interface State {
 	settings: LiveSetting[];
 	volumes: LiveVolume[];
 	view: { location: number[]; rotation?: number[]; path?: number[][] };
+	sequence: { frame: number; frames: number[] } | null;
 	variables: Variable[];
 	showFlags: Variable[];
 	pins: { pin: number; name: string; revision: number }[];

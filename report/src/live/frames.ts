@@ -44,7 +44,8 @@ export class Frames {
 			this.loading = true;
 			const wanted = this.wanted;
 			try {
-				const pixels = await getPicture(wanted, "kind=final8").catch(() => getPicture("now", "kind=final8"));
+				const step = this.panel.viewer.mode === "a" ? this.panel.viewer.getStep() : 1; // the screen does not show more
+				const pixels = await getPicture(wanted, "kind=final8", step).catch(() => getPicture("now", "kind=final8", step));
 				this.now = Promise.resolve(pixels);
 				this.panel.update("now", pixels, true);
 				this.shown = wanted;

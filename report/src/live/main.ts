@@ -4,13 +4,14 @@ import { el, installTips, makeTheme, refill } from "../dom";
 import { count, ms } from "../format";
 import { GraphPanel } from "../graph/panel";
 import { listenKeys, makeKeys } from "../sections/about";
+import { Control, makeControl } from "./control";
 import { Edit, Frame, Message, State } from "./data";
 import { makeCopy, makeDownload, makeEnd, makeSave } from "./dialogs";
 import { Frames } from "./frames";
 import { PassesPanel } from "./passes";
 import { PricePanel } from "./price";
 import { Hand, Refusal, get, listen, post } from "./server";
-import { SettingsPanel } from "./settings";
+import { SendEdits, SettingsPanel } from "./settings";
 import { makeTabs } from "./tabs";
 import { VariablesPanel } from "./variables";
 import { VolumesPanel } from "./volumes";
@@ -34,6 +35,8 @@ class LivePage {
 	private readonly notesTitle = el("summary", {});
 	private readonly notesBox = el("div", { class: "faults" });
 	private readonly notes = el("details", { class: "frame-notes", hidden: true }, this.notesTitle, this.notesBox);
+	private readonly sequence = el("div", { class: "tools", id: "sequence" });
+	private frame: Control | null = null; // of the sequence
 	private readonly pins = el("span", { class: "pins" });
 	private readonly probeText = el("div", { class: "probe-text", id: "probe-text" }, el("p", { class: "quiet" }, "Click a texel, or mark one with shift and arrows and press Enter; once more: line by line."));
 	private readonly probeFold = el<HTMLDetailsElement>("details", { id: "probe-fold" }, el("summary", {}, "How a texel came about"), this.probeText);
@@ -49,11 +52,13 @@ class LivePage {
 	private touched = false; // by this page, since the last measurement
 	private asked = Promise.resolve();
 	private probed = "";
+	private readonly passTimes = new Map<number, number>(); // ms, by revision
+	private readonly send: SendEdits;
 
 	constructor(private state: State) {
 		this.frames = new Frames(state, (revision) => this.drawn(revision), (message) => this.say(message));
 		const { panel } = this.frames;
-		const send = (edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at?: number) => {
+		const send = this.send = (edits: Edit[], refused: (messages: Message[]) => void, drag?: string, at?: number) => {
 			this.touched = true;
 			this.hand.edit(edits, refused, drag, at);
 		};
@@ -72,7 +77,7 @@ class LivePage {
 		this.status.append(this.figures, this.latency);
 		panel.stage.prepend(this.notice, this.faults);
 		panel.stage.append(this.status);
-		panel.stage.after(el("div", { class: "tools pin-row" },
+		panel.stage.after(this.sequence, el("div", { class: "tools pin-row" },
 			el("button", { type: "button", id: "pin", "data-tip": "Keeps this state and its picture, to compare with", onclick: () => void this.try(post("pin")) }, "Pin"), this.pins), this.notes, this.probeFold);
 		panel.viewer.onPick = (x, y) => void this.probe(x, y);
 		this.build();
@@ -128,7 +133,7 @@ class LivePage {
 	private act(what: "undo" | "redo" | "reset"): void {
 		if (!this.buttons[what].disabled) {
 			this.touched = true;
-			void this.try(post(what));
+			void this.try(post("edit", { [what]: true }));
 		}
 	}
 
@@ -160,6 +165,8 @@ class LivePage {
 
 	private take(frame: Frame): void {
 		this.state.frame = frame;
+		this.passTimes.set(frame.revision, frame.milliseconds.passes);
+		this.passTimes.delete(frame.revision - 100); // long drawn
 		this.hand.finish(frame.revision);
 		this.showMessages(this.faults, []);
 		void this.frames.show(frame.revision);
@@ -174,8 +181,9 @@ class LivePage {
 	private drawn(revision: number): void {
 		const wait = this.hand.drawn(revision);
 		if (wait) {
-			this.latency.textContent = `hand to picture ${ms(wait.ms)}` + (wait.count > 1 ? `, median of this drag ${ms(wait.median)} (${wait.count} pictures)` : "");
-			Object.assign(this.latency.dataset, { ms: wait.ms, median: wait.median, count: wait.count });
+			const beside = wait.ms - (this.passTimes.get(revision) ?? 0);
+			this.latency.textContent = `hand to picture ${ms(wait.ms)}, ${ms(beside)} beside the passes` + (wait.count > 1 ? `, median of this drag ${ms(wait.median)} (${wait.count} pictures)` : "");
+			Object.assign(this.latency.dataset, { ms: wait.ms, median: wait.median, count: wait.count, beside });
 		}
 		this.showFrame();
 		this.later();
@@ -227,12 +235,13 @@ class LivePage {
 			this.settings.update(state);
 			this.variables.update(state);
 		}
+		this.updateSequence(state, settled);
 		this.price.update(state);
 		this.frames.update(state);
 		const { panel } = this.frames;
 		refill(this.pins, state.pins, () => state.pins.map(({ pin, name }) => el("span", { class: "pin" },
 			el("button", { type: "button", "data-tip": "B is this picture, beside A by the slider", onclick: () => void panel.choose(panel.selectedA, `pin-${pin}`).then(() => panel.setMode("slider")) }, name || `pin ${pin}`),
-			el("button", { type: "button", "aria-label": `Remove ${name || `pin ${pin}`}`, onclick: () => void this.try(post(`pin/${pin}`, undefined, "DELETE")) }, "×"))));
+			el("button", { type: "button", "aria-label": `Remove ${name || `pin ${pin}`}`, onclick: () => void this.try(post("unpin", { pin })) }, "×"))));
 		if (state.frame) {
 			this.passes.update(state.frame);
 			const { messages } = state.frame;
@@ -244,6 +253,24 @@ class LivePage {
 			}
 		}
 		this.showMessages(this.faults, state.fault?.messages ?? []);
+	}
+
+	private updateSequence({ sequence }: State, settled: boolean): void {
+		refill(this.sequence, sequence?.frames, () => {
+			if (!sequence) {
+				return [];
+			}
+			const { frames } = sequence;
+			const [uiMin, uiMax] = [frames[0], frames.at(-1)!];
+			this.frame = makeControl({
+				id: "frame", label: "Frame", type: "int", value: sequence.frame, range: { clampMin: uiMin, clampMax: uiMax, uiMin, uiMax }, refuse: (fault) => fault && this.say(fault),
+				send: (value, drag, at) => this.send([{ set: "/scene/frames", value: String(frames.findLast((frame) => frame <= Number(value))) }], (messages) => this.showMessages(this.notice, messages), drag, at),
+			});
+			return [el("label", { for: "frame" }, "Frame"), this.frame.element];
+		});
+		if (settled && sequence) {
+			this.frame?.show(sequence.frame);
+		}
 	}
 
 	private async refreshGraph(): Promise<void> {

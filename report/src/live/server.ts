@@ -28,16 +28,35 @@ async function send(path: string, method: string, body?: unknown): Promise<Respo
 
 export const getText = async (path: string): Promise<string> => (await send(path, "GET")).text();
 export const get = async <T>(path: string): Promise<T> => JSON.parse(await getText(path)) as T;
-export const post = async <T>(path: string, body: unknown = {}, method = "POST"): Promise<T> => (await send(path, method, body)).json() as Promise<T>;
+export const post = async <T>(path: string, body: unknown = {}): Promise<T> => (await send(path, "POST", body)).json() as Promise<T>;
 
-/** A picture as bytes for the display, or as numbers. */
-export async function getPicture(id: string | number, query: string): Promise<Pixels> {
-	const answer = await send(`picture/${id}?${query}`, "GET");
+/** The body; where its length is known, into one piece of memory, which takes half the time. */
+async function readBytes(answer: Response): Promise<ArrayBuffer> {
+	const length = Number(answer.headers.get("Content-Length"));
+	if (!length) {
+		return answer.arrayBuffer();
+	}
+	const reader = answer.body!.getReader({ mode: "byob" });
+	let body = new ArrayBuffer(length);
+	for (let at = 0; at < length; ) {
+		const { value, done } = await reader.read(new Uint8Array(body, at));
+		if (done) {
+			throw new Error("the picture broke off");
+		}
+		[body, at] = [value.buffer as ArrayBuffer, at + value.length];
+	}
+	return body;
+}
+
+/** A picture as bytes for the display, or as numbers. Step: of the bytes, one for so many texels in a row. */
+export async function getPicture(id: string | number, query: string, step = 1): Promise<Pixels> {
+	const answer = await send(`picture/${id}?${query}&step=${step}`, "GET");
 	const header = (name: string) => answer.headers.get("X-Drydock-" + name) ?? "";
 	const [width, height] = [Number(header("Width")), Number(header("Height"))];
-	const body = await answer.arrayBuffer();
+	const body = await readBytes(answer);
 	if (query === "kind=final8") {
-		return fromBytes(width, height, new Uint8ClampedArray(body));
+		const pixels = fromBytes(Math.ceil(width / step), Math.ceil(height / step), new Uint8ClampedArray(body));
+		return step > 1 ? Object.assign(pixels, { whole: { width, height } }) : pixels;
 	}
 	const names = header("Channels");
 	const channels = /[A-Za-z]/.test(names) ? names.split(",").map((name) => name.trim()) : ["R", "G", "B", "A"].slice(0, Number(names) || 4);

@@ -132,7 +132,7 @@ export class SettingsPanel {
 			this.sendEdits([edit(pointTo(this.volume, name))], fault.refused, drag, at);
 		};
 		const control = makeControl({
-			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, refuse: fault.say,
+			id, label: first.display || name, type: first.type, value: first.value, range: first.range, enum: first.enum, objectClass: first.class, refuse: fault.say,
 			guess: typeof first.default === "number" ? first.default : undefined,
 			send: (value, drag, at) => send((set) => ({ set, value }), drag, at),
 		});
@@ -151,7 +151,7 @@ export class SettingsPanel {
 		const why = el("div", { class: "why-value", hidden: true });
 		const reset = el("button", { type: "button", class: "small", "aria-label": `Reset ${first.display || name}`, "data-tip": "As it was at the start", onclick: () => {
 			fault.say("");
-			void post("reset", { pointer: pointTo(this.volume, name) }).catch((refusal: Refusal) => fault.refused(refusal.messages));
+			void post("edit", { reset: pointTo(this.volume, name) }).catch((refusal: Refusal) => fault.refused(refusal.messages));
 		} }, "↺");
 		const unread = el("p", { class: "unread-note" });
 		const note = el("span", { class: "quiet note-default" });

@@ -12,6 +12,8 @@ export interface Pixels {
 	display: boolean;
 	/** "half", "float": as stored; "8 bit": decoded from the PNG. */
 	precision: string;
+	/** The size of the picture that this is a smaller copy of. */
+	whole?: { width: number; height: number };
 	/** RGBA, 8 bit: a final picture as a display shows it, which is shown as it is. */
 	bytes?: Uint8ClampedArray;
 }
@@ -28,6 +30,9 @@ export function fromBytes(width: number, height: number, bytes: Uint8ClampedArra
 	};
 	return { width, height, channels: ["R", "G", "B", "A"], bytes, get data() { return data ?? decode(); }, display: true, precision: "8 bit" };
 }
+
+/** Width and height in texels, also where the pixels are fewer. */
+export const getSize = (pixels: Pixels): { width: number; height: number } => pixels.whole ?? pixels;
 
 /** The values of one pixel. */
 export function readPixel(pixels: Pixels, pixel: number): number[] {

@@ -106,7 +106,7 @@ export function shade(pixels: Pixels, look: Look): ImageData {
 }
 
 /** The texel of B that lies where this one of A does. */
-export function mapTexel(a: Pixels, b: Pixels, x: number, y: number): number {
+export function mapTexel(a: { width: number; height: number }, b: Pixels, x: number, y: number): number {
 	const bx = Math.min(Math.floor(((x + 0.5) * b.width) / a.width), b.width - 1);
 	const by = Math.min(Math.floor(((y + 0.5) * b.height) / a.height), b.height - 1);
 	return by * b.width + bx;

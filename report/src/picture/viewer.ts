@@ -1,7 +1,7 @@
 // The canvas of the picture viewer: two pictures over or beside each other, moved and enlarged together, down to
 // texels with their numbers drawn on them.
 import { number } from "../format";
-import { Pixels, readPixel } from "./pixels";
+import { Pixels, getSize, readPixel } from "./pixels";
 import { Difference, Look, mapTexel, plainLook, shade, subtract } from "./shade";
 
 export type Mode = "a" | "b" | "slider" | "side" | "difference";
@@ -54,6 +54,7 @@ export class Viewer {
 	private zoom = 1; // 1: the picture just fits
 	private cursor: { x: number; y: number } | null = null; // texel of A
 	private pending = 0;
+	private quick = false;
 
 	constructor() {
 		this.canvas.id = "canvas";
@@ -69,7 +70,7 @@ export class Viewer {
 		this.a = layer(this.a, a);
 		this.b = b && layer(this.b, b);
 		this.subtracted = this.d = null;
-		if (this.cursor && (this.cursor.x >= a.width || this.cursor.y >= a.height)) {
+		if (this.cursor && (this.cursor.x >= getSize(a).width || this.cursor.y >= getSize(a).height)) {
 			this.cursor = null;
 		}
 		this.shade();
@@ -106,7 +107,12 @@ export class Viewer {
 
 	/** CSS pixels of a texel of A. */
 	getTexel(): number {
-		return this.a ? this.getBox(0).width / this.a.pixels.width : 1;
+		return this.a ? this.getBox(0).width / getSize(this.a.pixels).width : 1;
+	}
+
+	/** Texels of A, in a row, that at least fall on each pixel of the screen. */
+	getStep(): number {
+		return Math.min(Math.max(Math.floor(1 / (this.getTexel() * (devicePixelRatio || 1))), 1), 16);
 	}
 
 	setTexel(size: number, at?: { x: number; y: number }): void {
@@ -133,7 +139,7 @@ export class Viewer {
 
 	moveCursor(x: number, y: number): void {
 		if (this.a) {
-			const { width, height } = this.a.pixels;
+			const { width, height } = getSize(this.a.pixels);
 			const from = this.cursor ?? { x: width >> 1, y: height >> 1 };
 			this.cursor = {
 				x: Math.min(Math.max(from.x + x, 0), width - 1),
@@ -152,10 +158,10 @@ export class Viewer {
 	private getBox(pane: number): Box {
 		const panes = this.mode === "side" ? 2 : 1;
 		const [width, height] = [this.canvas.clientWidth / panes, this.canvas.clientHeight];
-		const { pixels } = this.a!;
-		const free = Math.min(width / pixels.width, height / pixels.height) * this.zoom;
+		const whole = getSize(this.a!.pixels);
+		const free = Math.min(width / whole.width, height / whole.height) * this.zoom;
 		const size = Math.abs(free - Math.round(free)) < 1e-6 ? Math.round(free) : free;
-		const [w, h] = [pixels.width * size, pixels.height * size];
+		const [w, h] = [whole.width * size, whole.height * size];
 		const snap = size >= 1 ? Math.round : (at: number) => at; // texels as pixels: exactly those
 		return { x: snap(pane * width + width / 2 - this.center.x * w), y: snap(height / 2 - this.center.y * h), width: w, height: h };
 	}
@@ -167,10 +173,11 @@ export class Viewer {
 		}
 		const { x, y } = this.cursor;
 		const { pixels } = this.a;
+		const size = getSize(pixels);
 		this.onProbe({
 			x, y,
-			a: readPixel(pixels, y * pixels.width + x),
-			b: this.b && readPixel(this.b.pixels, mapTexel(pixels, this.b.pixels, x, y)),
+			a: readPixel(pixels, mapTexel(size, pixels, x, y)),
+			b: this.b && readPixel(this.b.pixels, mapTexel(size, this.b.pixels, x, y)),
 		});
 	}
 
@@ -183,7 +190,9 @@ export class Viewer {
 	/** Draws what is due now and not with the next frame of the screen. */
 	drawNow(): void {
 		cancelAnimationFrame(this.pending);
+		this.quick = true; // finely takes longer than all else
 		this.paint();
+		this.quick = false;
 	}
 
 	private paint(): void {
@@ -226,13 +235,13 @@ export class Viewer {
 	private paintLayer(context: CanvasRenderingContext2D, layer: Layer, box: Box, from: number, to: number): void {
 		const texel = box.width / layer.pixels.width;
 		context.imageSmoothingEnabled = texel < 1;
-		context.imageSmoothingQuality = "high";
+		context.imageSmoothingQuality = this.quick ? "low" : "high";
 		context.drawImage(layer.canvas, box.x, box.y, box.width, box.height);
 		if (texel >= numbersFrom) {
 			this.paintNumbers(context, layer.pixels, box, texel, from, to);
 		}
 		if (this.cursor && texel >= 4) {
-			const size = box.width / this.a!.pixels.width;
+			const size = box.width / getSize(this.a!.pixels).width;
 			context.strokeStyle = "#000";
 			context.lineWidth = 3;
 			const mark: [number, number, number, number] = [box.x + this.cursor.x * size, box.y + this.cursor.y * size, size, size];
@@ -277,11 +286,12 @@ export class Viewer {
 			return null;
 		}
 		const box = this.getBox(this.mode === "side" && x > this.canvas.clientWidth / 2 ? 1 : 0);
+		const { width, height } = getSize(this.a.pixels);
 		const texel = {
-			x: Math.floor(((x - box.x) / box.width) * this.a.pixels.width),
-			y: Math.floor(((y - box.y) / box.height) * this.a.pixels.height),
+			x: Math.floor(((x - box.x) / box.width) * width),
+			y: Math.floor(((y - box.y) / box.height) * height),
 		};
-		const inside = texel.x >= 0 && texel.y >= 0 && texel.x < this.a.pixels.width && texel.y < this.a.pixels.height;
+		const inside = texel.x >= 0 && texel.y >= 0 && texel.x < width && texel.y < height;
 		return inside ? texel : null;
 	}
 

@@ -43,7 +43,7 @@ TEST(LiveCrash, IsAMessageAndTheNextEditGoesOn)
 		EXPECT_EQ(Start, Program.Get("/api/picture/start?kind=final8").Body);
 		EXPECT_EQ(200, Program.Edit("/camera/Settings/BloomIntensity", 1 + Crash).Status);
 		EXPECT_TRUE(Program.WaitForFrame()["fault"].is_null());
-		EXPECT_EQ(200, Program.Post("/api/undo").Status);
+		EXPECT_EQ(200, Program.Change("undo").Status);
 		Program.WaitForFrame();
 	}
 	EXPECT_EQ(200, Program.Post("/api/end").Status);

@@ -69,9 +69,9 @@ TEST_F(LiveDoor, OpensToItsOwnPageAlone)
 	for (const std::string& Origin : {std::string("http://evil.example"), std::string("null"),
 			 std::string("https://127.0.0.1:" + Port), std::string("http://127.0.0.1")})
 	{
-		EXPECT_EQ(403, Program->Ask("POST", "/api/undo", With("Origin", Origin)).Status) << Origin;
+		EXPECT_EQ(403, Program->Ask("POST", "/api/edit", With("Origin", Origin)).Status) << Origin;
 	}
-	EXPECT_EQ(422, Program->Ask("POST", "/api/undo", With("Origin", "http://127.0.0.1:" + Port)).Status);
+	EXPECT_EQ(422, Program->Ask("POST", "/api/edit", With("Origin", "http://127.0.0.1:" + Port)).Status);
 }
 
 TEST_F(LiveDoor, ListensOnTheLoopbackAddressAlone)
@@ -114,6 +114,7 @@ TEST_F(LiveDoor, RefusesWhatIsTooLargeOrOfAnotherKind)
 	EXPECT_EQ(411, Ask("POST", "/api/edit", With("Transfer-Encoding", "chunked")));
 	EXPECT_EQ(405, Ask("PUT", "/api/state", Program->MakeHeaders()));
 	EXPECT_EQ(405, Ask("OPTIONS", "/api/state", Program->MakeHeaders()));
+	EXPECT_EQ(405, Ask("DELETE", "/api/pin", Program->MakeHeaders()));
 	EXPECT_EQ(414, Ask("GET", "/" + std::string(3000, 'a'), Program->MakeHeaders()));
 	EXPECT_EQ(404, Ask("GET", "/api/nothing", Program->MakeHeaders()));
 	EXPECT_EQ(404, Ask("GET", "/../../etc/passwd", Program->MakeHeaders()));

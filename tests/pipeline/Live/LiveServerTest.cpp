@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 using namespace LiveTest;
 
@@ -101,7 +102,7 @@ TEST_F(LiveServer, ShowsWhatRunWritesOfTheSavedConfig)
 	{
 		if (Setting["name"] == "BloomIntensity")
 		{
-			EXPECT_EQ("Bloom Intensity", Setting["display"]);
+			EXPECT_EQ("Intensity", Setting["display"]);
 			EXPECT_EQ("Lens|Bloom", Setting["category"]);
 			EXPECT_EQ(2.75, Setting["value"]);
 			EXPECT_EQ(2, Setting["start"]);
@@ -163,7 +164,7 @@ TEST_F(LiveServer, AMistakeIsRefusedAndTheStateStays)
 	EXPECT_EQ("DD1012", Name.Code());
 	EXPECT_EQ("DD1120", Program.Post("/api/edit", {{"edits", {{{"remove", "/camera"}}}}}).Code());
 	EXPECT_EQ("DD1120", Program.Post("/api/edit", FJson::object()).Code());
-	EXPECT_EQ(422, Program.Post("/api/undo").Status);
+	EXPECT_EQ(422, Program.Change("undo").Status);
 	EXPECT_EQ(Before["revision"], Program.State()["revision"]);
 	EXPECT_FALSE(Program.State()["changed"]);
 }
@@ -194,22 +195,22 @@ TEST_F(LiveServer, UndoRedoResetAndPinsAreTheServers)
 		Program.State()["pins"]);
 	const std::string Bright = Program.Get("/api/picture/now?kind=final8").Body;
 	EXPECT_NE(Start, Bright);
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
 	EXPECT_EQ(3.0, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/redo").Status);
+	EXPECT_EQ(200, Program.Change("redo").Status);
 	EXPECT_EQ(5.0, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/reset", {{"pointer", "/camera/Settings/BloomIntensity"}}).Status);
+	EXPECT_EQ(200, Program.Change("reset", "/camera/Settings/BloomIntensity").Status);
 	EXPECT_EQ(1.5, GetBloom());
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
-	EXPECT_EQ(200, Program.Post("/api/reset", FJson::object()).Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
+	EXPECT_EQ(200, Program.Change("reset").Status);
 	EXPECT_EQ(1.5, GetBloom());
 	EXPECT_FALSE(Program.State()["changed"]);
 	EXPECT_EQ(Start, Program.Get("/api/picture/now?kind=final8").Body);
 	EXPECT_EQ(Start, Program.Get("/api/picture/start?kind=final8").Body);
 	EXPECT_EQ(Bright, Program.Get("/api/picture/pin-" + Pin.dump() + "?kind=final8").Body);
-	EXPECT_EQ(200, Program.Ask("DELETE", "/api/pin/" + Pin.dump(), Program.MakeHeaders()).Status);
+	EXPECT_EQ(200, Program.Post("/api/unpin", {{"pin", Pin}}).Status);
 	EXPECT_EQ(404, Program.Get("/api/picture/pin-" + Pin.dump() + "?kind=final8").Status);
-	EXPECT_EQ(422, Program.Ask("DELETE", "/api/pin/x", Program.MakeHeaders()).Status);
+	EXPECT_EQ(422, Program.Post("/api/unpin", {{"pin", "x"}}).Status);
 }
 
 TEST_F(LiveServer, SavesBesideTheConfigOrUnderOutAndNowhereElse)
@@ -388,20 +389,120 @@ TEST_F(LiveServer, AnswersWhatTheVerbsPrint)
 	EXPECT_EQ(422, Program.Get("/api/picture/now?kind=pass&pass=1&resource=Nothing").Status);
 }
 
+TEST_F(LiveServer, AnEditOfAVolumeOfTheSceneWritesAllOfThemIntoTheConfig)
+{
+	const FLiveProgram Program(Folder.Path, {DRYDOCK_TEST_SOURCE_DIR "/configs/sequence.json"});
+	const FJson Before = Program.WaitForFrame();
+	ASSERT_EQ(2u, Before["volumes"].size());
+	EXPECT_EQ(200, Program.Edit("/volumes/1/Priority", 7).Status);
+	const FJson After = Program.WaitForFrame();
+	EXPECT_EQ(7, After["volumes"][1]["priority"]);
+	for (const char* const Kept : {"name", "bounds", "blendRadius", "unbound", "enabled"})
+	{
+		for (size_t Volume = 0; Volume < 2; ++Volume)
+		{
+			EXPECT_EQ(Before["volumes"][Volume][Kept], After["volumes"][Volume][Kept]) << Kept;
+		}
+	}
+	for (size_t Setting = 0; Setting < Before["settings"].size(); ++Setting)
+	{
+		EXPECT_EQ(Before["settings"][Setting]["inVolumes"], After["settings"][Setting]["inVolumes"]);
+	}
+	EXPECT_EQ(200, Program.Change("undo").Status);
+	EXPECT_EQ(Before["volumes"], Program.State()["volumes"]);
+	EXPECT_NE(std::string::npos, Program.Get("/api/text?as=config").Body.find("\"fromScene\""));
+}
+
+TEST_F(LiveServer, ShowsEachFrameOfASequenceAsRunWritesIt)
+{
+	const FLiveProgram Program(Folder.Path, {DRYDOCK_TEST_SOURCE_DIR "/configs/sequence.json", "--out", "."});
+	EXPECT_EQ(FJson({{"frame", 1}, {"frames", {1, 2, 3, 4, 5, 6, 7, 8}}}), Program.WaitForFrame()["sequence"]);
+	const std::string First = Program.Get("/api/picture/now?kind=final8").Body;
+	EXPECT_EQ(200, Program.Edit("/scene/frames", "4").Status);
+	EXPECT_EQ(4, Program.WaitForFrame()["sequence"]["frame"]);
+	EXPECT_NE(First, Program.Get("/api/picture/now?kind=final8").Body);
+	EXPECT_EQ(200, Program.Post("/api/save", {{"path", (Folder.Path / "fourth.json").string()}}).Status);
+	ASSERT_EQ(0, Folder.Call("run fourth.json --frame 4 --out out --report off").ExitCode);
+	ExpectSameBits(Program, "out");
+	EXPECT_EQ(422, Program.Edit("/scene/frames", "x").Status);
+}
+
+TEST_F(LiveServer, ASmallerPictureHoldsTheMeansOfTheWhole)
+{
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	Program.WaitForFrame();
+	const std::string Whole = Program.Get("/api/picture/now?kind=final8").Body;
+	const FAnswer Answer = Program.Get("/api/picture/now?kind=final8&step=7");
+	EXPECT_EQ("960", Answer.Headers.at("x-drydock-width"));
+	constexpr size_t Width = 960, Height = 540, Step = 7, SmallWidth = 138, SmallHeight = 78; // 960 = 137 * 7 + 1
+	ASSERT_EQ(SmallWidth * SmallHeight * 4, Answer.Body.size());
+	for (size_t Index = 0; Index < Answer.Body.size(); ++Index)
+	{
+		const size_t Left = Index / 4 % SmallWidth * Step, Top = Index / 4 / SmallWidth * Step;
+		const size_t Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
+		double Sum = 0.0;
+		for (size_t Y = Top; Y < Bottom; ++Y)
+		{
+			for (size_t X = Left; X < Right; ++X)
+			{
+				Sum += static_cast<unsigned char>(Whole[(Y * Width + X) * 4 + Index % 4]);
+			}
+		}
+		const double Mean = Sum / static_cast<double>((Right - Left) * (Bottom - Top));
+		ASSERT_LE(std::abs(Mean - static_cast<unsigned char>(Answer.Body[Index])), 0.5) << Index;
+	}
+}
+
+TEST_F(LiveServer, NamesThePicturesBesideTheConfig)
+{
+	Files::create_directories(Folder.Path / "textures/deep");
+	for (const char* const Name : {"textures/dirt.png", "textures/deep/far.png", "textures/notes.txt"})
+	{
+		Folder.Write(Name, "");
+	}
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	EXPECT_EQ(FJson({{"pictures", {"textures/dirt.png", "toon.exr"}}}), Program.Get("/api/pictures").Json());
+}
+
+TEST_F(LiveServer, TheMeasurementOfAPriceGivesWayToAnEdit)
+{
+	const FLiveProgram Program(Folder.Path, {"a.json"});
+	Program.WaitForFrame();
+	FConnection Price(Program.Port);
+	Price.Send(FLiveProgram::MakeRequest("POST", "/api/price", Program.MakeHeaders()));
+	std::this_thread::sleep_for(std::chrono::milliseconds(10)); // it has begun, and takes six frames and one in double
+	EXPECT_EQ(200, Program.Edit("/camera/Settings/BloomIntensity", 3).Status);
+	const FAnswer Answer = Price.ReadAnswer();
+	EXPECT_EQ(422, Answer.Status);
+	EXPECT_EQ("DD1120", Answer.Code());
+	EXPECT_TRUE(Program.WaitForFrame()["dots"].empty());
+	EXPECT_EQ(200, Program.Post("/api/price").Status);
+	EXPECT_EQ(1u, Program.State()["dots"].size());
+}
+
 TEST_F(LiveServer, NewestWinsUnderAFlood)
 {
 	const FLiveProgram Program(Folder.Path, {"a.json"});
 	Program.WaitForFrame();
 	FEventStream Events(Program);
-	FConnection Connection(Program.Port);
-	constexpr int NumEdits = 300;
-	for (int Edit = 0; Edit < NumEdits; ++Edit)
+	std::vector<std::unique_ptr<FConnection>> Hands;
+	for (int Hand = 0; Hand < 4; ++Hand)
 	{
-		const FJson Body = {
-			{"edits", {{{"set", "/camera/Settings/BloomIntensity"}, {"value", 1 + Edit * 0.01}}}}, {"drag", "d"}};
-		ASSERT_TRUE(
-			Connection.Send(FLiveProgram::MakeRequest("POST", "/api/edit", Program.MakeHeaders(), Body.dump())));
-		ASSERT_EQ(200, Connection.ReadAnswer().Status);
+		Hands.push_back(std::make_unique<FConnection>(Program.Port));
+	}
+	constexpr int NumEdits = 300;
+	for (int Edit = 0; Edit < NumEdits;)
+	{
+		for (const std::unique_ptr<FConnection>& Hand : Hands)
+		{
+			const FJson Body = {
+				{"edits", {{{"set", "/camera/Settings/BloomIntensity"}, {"value", 1 + ++Edit * 0.01}}}}, {"drag", "d"}};
+			ASSERT_TRUE(Hand->Send(FLiveProgram::MakeRequest("POST", "/api/edit", Program.MakeHeaders(), Body.dump())));
+		}
+		for (const std::unique_ptr<FConnection>& Hand : Hands)
+		{
+			ASSERT_EQ(200, Hand->ReadAnswer().Status);
+		}
 	}
 	const FJson State = Program.WaitForFrame();
 	EXPECT_EQ(State["revision"], State["frame"]["revision"]);
@@ -416,6 +517,6 @@ TEST_F(LiveServer, NewestWinsUnderAFlood)
 		}
 	}
 	EXPECT_LT(NumFrames, NumEdits);
-	EXPECT_EQ(200, Program.Post("/api/undo").Status);
+	EXPECT_EQ(200, Program.Change("undo").Status);
 	EXPECT_FALSE(Program.State()["canUndo"]);
 }

@@ -133,6 +133,9 @@ public:
 		return Post("/api/edit", Body);
 	}
 
+	/** undo, redo or reset. */
+	FAnswer Change(const char* Name, const FJson& Value = true) const { return Post("/api/edit", {{Name, Value}}); }
+
 	/** The state's frame, once it is there; a fault of the state ends the wait. */
 	FJson WaitForFrame() const
 	{
