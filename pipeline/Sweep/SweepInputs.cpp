@@ -49,8 +49,8 @@ void AddOverlays(const FRunOptions& Options, const FConfig& Config, FRunInputs& 
 			Overlay.Shaders, [&](const std::string& Shader) { Paths.push_back(Overlay.GetShaderFile(Shader)); });
 		for (const std::string& Path : Paths)
 		{
-			Inputs["overlay " + std::filesystem::path(Path).lexically_relative(Folder).generic_string()] =
-				FingerprintFile(Path);
+			const std::string Name = std::filesystem::path(Path).lexically_relative(Folder).generic_string();
+			Inputs["overlay " + std::to_string(&Folder - Folders.data()) + " " + Name] = FingerprintFile(Path);
 		}
 	}
 }

@@ -226,7 +226,8 @@ FSweepTable MakeSweepTable(const FSweepFolder& Folder, const FSweepPlan& Plan)
 		std::ranges::for_each(Row.Figures, [&](const auto& One) { Names.insert(One.first); });
 	}
 	Table.Figures.assign(Names.begin(), Names.end());
-	std::ranges::stable_partition(Table.Figures, [](const std::string& Name) { return Name.starts_with("error "); });
+	std::stable_partition(
+		Table.Figures.begin(), Table.Figures.end(), [](const std::string& Name) { return Name.starts_with("error "); });
 	return Table;
 }
 

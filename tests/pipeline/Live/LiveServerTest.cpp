@@ -430,26 +430,32 @@ TEST_F(LiveServer, ShowsEachFrameOfASequenceAsRunWritesIt)
 TEST_F(LiveServer, ASmallerPictureHoldsTheMeansOfTheWhole)
 {
 	const FLiveProgram Program(Folder.Path, {"a.json"});
-	Program.WaitForFrame();
-	const std::string Whole = Program.Get("/api/picture/now?kind=final8").Body;
-	const FAnswer Answer = Program.Get("/api/picture/now?kind=final8&step=7");
-	EXPECT_EQ("960", Answer.Headers.at("x-drydock-width"));
-	constexpr size_t Width = 960, Height = 540, Step = 7, SmallWidth = 138, SmallHeight = 78; // 960 = 137 * 7 + 1
-	ASSERT_EQ(SmallWidth * SmallHeight * 4, Answer.Body.size());
-	for (size_t Index = 0; Index < Answer.Body.size(); ++Index)
+	for (const double Intensity : {2.0, 3.0}) // made when it is asked for, then with its frame
 	{
-		const size_t Left = Index / 4 % SmallWidth * Step, Top = Index / 4 / SmallWidth * Step;
-		const size_t Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
-		double Sum = 0.0;
-		for (size_t Y = Top; Y < Bottom; ++Y)
+		Program.Edit("/camera/Settings/BloomIntensity", Intensity);
+		Program.WaitForFrame();
+		const FAnswer Answer = Program.Get("/api/picture/now?kind=final8&step=7");
+		EXPECT_EQ(size_t(60 * 34 * 4), Program.Get("/api/picture/now?kind=final8&step=7000").Body.size()); // 16 at most
+		const std::string Codes = Program.Get("/api/picture/now?kind=final8").Body;
+		Program.Get("/api/picture/now?kind=final8&step=7"); // the last that is asked for is made with the next frame
+		EXPECT_EQ("960", Answer.Headers.at("x-drydock-width"));
+		constexpr size_t Width = 960, Height = 540, Step = 7, SmallWidth = 138, SmallHeight = 78; // 960 = 137 * 7 + 1
+		ASSERT_EQ(SmallWidth * SmallHeight * 4, Answer.Body.size());
+		for (size_t Index = 0; Index < Answer.Body.size(); ++Index)
 		{
-			for (size_t X = Left; X < Right; ++X)
+			const size_t Left = Index / 4 % SmallWidth * Step, Top = Index / 4 / SmallWidth * Step;
+			const size_t Right = std::min(Left + Step, Width), Bottom = std::min(Top + Step, Height);
+			double Sum = 0.0;
+			for (size_t Y = Top; Y < Bottom; ++Y)
 			{
-				Sum += static_cast<unsigned char>(Whole[(Y * Width + X) * 4 + Index % 4]);
+				for (size_t X = Left; X < Right; ++X)
+				{
+					Sum += static_cast<unsigned char>(Codes[(Y * Width + X) * 4 + Index % 4]);
+				}
 			}
+			const double Mean = Sum / static_cast<double>((Right - Left) * (Bottom - Top));
+			ASSERT_LE(std::abs(Mean - static_cast<unsigned char>(Answer.Body[Index])), 0.5) << Index;
 		}
-		const double Mean = Sum / static_cast<double>((Right - Left) * (Bottom - Top));
-		ASSERT_LE(std::abs(Mean - static_cast<unsigned char>(Answer.Body[Index])), 0.5) << Index;
 	}
 }
 
