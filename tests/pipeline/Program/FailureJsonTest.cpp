@@ -32,6 +32,8 @@ const std::map<std::string, std::pair<std::string, int>> Mistakes = {
 	{"lint", {"no_such.usf", 3}},
 	{"study", {"broken.json", 2}},
 	{"flicker", {"broken.json", 2}},
+	{"sweep plan", {"broken.json --out plan", 2}},
+	{"sweep status", {"no_such_folder", 2}},
 	{"diff", {"no_such.png no_such_either.png", 3}},
 	{"explain", {"broken.json", 2}},
 	{"list", {"hooks broken.json", 2}},
