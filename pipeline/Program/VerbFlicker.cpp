@@ -4,6 +4,7 @@
 #include "Program/ProgressBar.h"
 #include "Program/VerbOptions.h"
 #include "Program/Verbs.h"
+#include "Text/ConfigErrors.h"
 #include "Text/OutputFolder.h"
 #include "Text/TextFile.h"
 
@@ -43,6 +44,10 @@ void WriteOutputs(const FFlickerResult& Result, const FFlickerVerbOptions& Optio
 
 int PrintFlicker(const FFlickerVerbOptions& Options)
 {
+	if (Options.Flicker.Run.Frame)
+	{
+		throw BadArgument("flicker compares frames: name them with --frames LIST", "--frame");
+	}
 	FFlickerOptions Flicker = Options.Flicker;
 	Flicker.Variants = {{"as it is", {}}};
 	for (const std::string& Variable : Options.Against)

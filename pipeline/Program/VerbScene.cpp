@@ -33,8 +33,7 @@ struct FSceneVerbOptions
 int WriteScene(const FSceneVerbOptions& Options)
 {
 	FJitteredSceneOptions Scene = Options.Scene;
-	Scene.Scene = &*std::ranges::find_if(
-		GetJitteredScenes(), [&](const FJitteredScene& Known) { return Known.Name == Options.Name; });
+	Scene.Scene = FindJitteredScene(Options.Name);
 	if (!Options.Size.empty())
 	{
 		constexpr int Largest = 1024;

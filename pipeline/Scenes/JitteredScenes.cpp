@@ -5,10 +5,9 @@
 #include "Text/Fmt.inl"
 #include "Text/TextFile.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace Drydock
 {
@@ -225,6 +224,13 @@ const std::vector<FJitteredScene>& GetJitteredScenes()
 		{"still", "Turned boxes at rest", &MakeStill},
 	};
 	return Scenes;
+}
+
+const FJitteredScene* FindJitteredScene(const std::string& Name)
+{
+	const auto& Scenes = GetJitteredScenes();
+	const auto Found = std::ranges::find_if(Scenes, [&](const FJitteredScene& Scene) { return Scene.Name == Name; });
+	return Found == Scenes.end() ? nullptr : &*Found;
 }
 
 FVector2D GetHaltonJitter(int Frame, int NumSamples)

@@ -23,6 +23,9 @@ struct FJitteredScene
 /** line, point, occluder, cut, still. */
 DRYDOCK_API const std::vector<FJitteredScene>& GetJitteredScenes();
 
+/** The scene of that name, or null. */
+DRYDOCK_API const FJitteredScene* FindJitteredScene(const std::string& Name);
+
 /** The jitter of a frame in pixels, -0.5 to 0.5: points of Halton's sequence of bases 2 and 3, which begins again after
  * NumSamples frames. 1: none. */
 DRYDOCK_API FVector2D GetHaltonJitter(int Frame, int NumSamples);

@@ -1,5 +1,5 @@
 // Motion blur: where light goes, how far, that none is lost, what must not change, and hazards.
-#include "PassTestUtils.h"
+#include "MotionTestUtils.h"
 
 #include "Lens/PostProcessMotionBlur.h"
 
@@ -10,25 +10,6 @@ using PassReference::SumOf;
 
 namespace
 {
-
-struct FMotion
-{
-	double X = 0.0; // pixels per frame
-	double Y = 0.0; // down
-	double Depth = 500.0;
-};
-
-using FMotionAt = std::function<FMotion(int, int)>;
-
-/** As the G-buffer stores it: square roots of screen position, y up. */
-FTexel Encode(const FMotion& Motion, int Width, int Height)
-{
-	const auto Root = [](double Velocity)
-	{
-		return std::copysign(std::sqrt(std::abs(Velocity)), Velocity) * std::sqrt(2.0) * 0.2495 + 32767.0 / 65535.0;
-	};
-	return {Root(2 * Motion.X / Width), Root(-2 * Motion.Y / Height), 0, 0};
-}
 
 struct FMotionBlurRun
 {
@@ -46,18 +27,7 @@ struct FMotionBlurRun
 		// Reversed depth of a near plane at 10 cm: z = 10 / d.
 		Pass.View.UniformParameters.InvDeviceZToWorldZTransform = FVector4f(0.0f, 0.0f, 0.1f, 0.0f);
 		Pass.View.InitViewUniformBuffer(Extent);
-		const auto Add = [&](const std::function<FTexel(int, int)>& Texel, EPixelFormat Format, const TCHAR* Name)
-		{
-			return Pass.AddInput(FImage::Make(Color.Width, Color.Height, Texel), Rect, Extent, Format, Name).Texture;
-		};
-		FSceneTextures SceneTextures;
-		SceneTextures.Depth = Add(
-			[&](int X, int Y) {
-				return FTexel{10 / Motion(X, Y).Depth, 0, 0, 0};
-			},
-			PF_R32_FLOAT, TEXT("Depth"));
-		SceneTextures.Velocity = Add([&](int X, int Y) { return Encode(Motion(X, Y), Color.Width, Color.Height); },
-			PF_A32B32G32R32F, TEXT("Velocity"));
+		const FSceneTextures SceneTextures = AddMotion(Pass, Rect, Extent, Motion);
 		FMotionBlurInputs Inputs;
 		Inputs.SceneColor = Pass.Input;
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(Pass.GraphBuilder, &SceneTextures);

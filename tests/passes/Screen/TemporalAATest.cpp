@@ -1,10 +1,8 @@
 // Temporal antialiasing against a plain loop in double: random pictures, histories, movements and sizes; the mean that
 // it converges to; hazards in the picture, the history and the velocity.
-#include "PassTestUtils.h"
+#include "MotionTestUtils.h"
 
 #include "Screen/TemporalAA.h"
-
-#include <functional>
 
 using namespace PassTest;
 using Drydock::FTemporalAAInputs;
@@ -13,31 +11,12 @@ using Drydock::FTemporalAAOutputs;
 namespace
 {
 
-struct FMotion
-{
-	double X = 0.0; // pixels since the frame before
-	double Y = 0.0; // down
-	double Depth = 500.0;
-};
-
-using FMotionAt = std::function<FMotion(int, int)>;
-
 FMotionAt Everywhere(const FMotion& Motion)
 {
 	return [=](int, int)
 	{
 		return Motion;
 	};
-}
-
-/** As the G-buffer stores it: square roots of screen position, y up. */
-FTexel Encode(const FMotion& Motion, int Width, int Height)
-{
-	const auto Root = [](double Velocity)
-	{
-		return std::copysign(std::sqrt(std::abs(Velocity)), Velocity) * std::sqrt(2.0) * 0.2495 + 32767.0 / 65535.0;
-	};
-	return {Root(2 * Motion.X / Width), Root(-2 * Motion.Y / Height), 0, 0};
 }
 
 struct FResult
@@ -67,18 +46,7 @@ struct FTemporalAARun
 		Pass.View.TemporalJitterPixels = Jitter;
 		Pass.View.UniformParameters.ClipToPrevClip = FMatrix44f::Identity;
 		Pass.View.InitViewUniformBuffer(Extent);
-		const auto Add = [&](const std::function<FTexel(int, int)>& Texel, EPixelFormat Format, const TCHAR* Name)
-		{
-			return Pass.AddInput(FImage::Make(Color.Width, Color.Height, Texel), Rect, Extent, Format, Name).Texture;
-		};
-		FSceneTextures SceneTextures;
-		SceneTextures.Depth = Add(
-			[&](int X, int Y) {
-				return FTexel{10 / Motion(X, Y).Depth, 0, 0, 0};
-			},
-			PF_R32_FLOAT, TEXT("Depth"));
-		SceneTextures.Velocity = Add([&](int X, int Y) { return Encode(Motion(X, Y), Color.Width, Color.Height); },
-			PF_A32B32G32R32F, TEXT("Velocity"));
+		const FSceneTextures SceneTextures = AddMotion(Pass, Rect, Extent, Motion);
 		FTemporalAAInputs Inputs;
 		Inputs.SceneColor = Pass.Input;
 		Inputs.SceneTextures = CreateSceneTextureUniformBuffer(Pass.GraphBuilder, &SceneTextures);

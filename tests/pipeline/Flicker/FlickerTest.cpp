@@ -52,8 +52,7 @@ FFlickerOptions MakeOptions(const Files::path& Folder, const std::string& Scene)
 void WriteScene(const Files::path& Folder, const std::string& Name, int NumFrames)
 {
 	FJitteredSceneOptions Scene;
-	Scene.Scene =
-		&*std::ranges::find_if(GetJitteredScenes(), [&](const FJitteredScene& Known) { return Known.Name == Name; });
+	Scene.Scene = FindJitteredScene(Name);
 	Scene.Size = FIntPoint(48, 27);
 	Scene.NumFrames = NumFrames;
 	WriteJitteredScene(Scene, Folder.string());

@@ -1,4 +1,5 @@
-// `drydock live` as a page uses it: edits give pictures, and what is shown is what `drydock run` writes, bit for bit.
+// `drydock live` as a page uses it: edits give pictures, and what is shown is what `drydock run` writes, bit for bit. A
+// little past 500 lines: all cases speak to one kind of server.
 #include <gtest/gtest.h>
 
 #include "LiveTestUtils.h"

@@ -21,11 +21,6 @@ namespace
 
 constexpr FIntPoint GSize(80, 45);
 
-const FJitteredScene& FindScene(const std::string& Name)
-{
-	return *std::ranges::find_if(GetJitteredScenes(), [&](const FJitteredScene& Scene) { return Scene.Name == Name; });
-}
-
 /** The light of a picture, before the tonemapper. */
 using FLight = std::vector<double>;
 
@@ -52,7 +47,7 @@ double GetRms(const FLight& A, const FLight& B)
 	return std::sqrt(Sum / static_cast<double>(A.size()));
 }
 
-/** What a camera with this jitter sees in each pixel. */
+/** The light that a camera with this jitter sees in each pixel. */
 FLight Sample(const FAnalyticFrame& Frame, FVector2D Jitter)
 {
 	const FAnalyticPicture Picture(Frame);
@@ -89,7 +84,7 @@ public:
 		: Temporary("drydock_taa_" + Name)
 	{
 		FJitteredSceneOptions Scene;
-		Scene.Scene = &FindScene(Name);
+		Scene.Scene = FindJitteredScene(Name);
 		Scene.Size = GSize;
 		Scene.NumFrames = NumFrames;
 		Scene.NumSamples = NumSamples;
@@ -129,7 +124,7 @@ const std::string PlainAverage = R"("view": {"exposure": 1e-6}, "cvars": {"r.Ant
 TEST(TemporalAARun, AStillSceneConvergesToTheTruthAsAPlainAverageDoes)
 {
 	constexpr int NumFrames = 64;
-	const FAnalyticFrame Frame = FindScene("still").MakeFrame(GSize, 0);
+	const FAnalyticFrame Frame = FindJitteredScene("still")->MakeFrame(GSize, 0);
 	const FLight Truth = GetTruth(Frame);
 	FLight Sum(Truth.size(), 0.0);
 	const FSceneRun Scene("still", NumFrames, NumFrames, PlainAverage);
@@ -161,7 +156,7 @@ TEST(TemporalAARun, WhatMovedAwayLeavesNoGhost)
 {
 	constexpr int NumFrames = 16;
 	constexpr double BarLight = static_cast<double>(0.01f);
-	const FJitteredScene& Occluder = FindScene("occluder");
+	const FJitteredScene& Occluder = *FindJitteredScene("occluder");
 	const FSceneRun Scene("occluder", NumFrames, 8, R"("cvars": {"r.AntiAliasingMethod": 2, "r.BloomQuality": 0})");
 	const FSceneRun Exact("occluder", NumFrames, 8, R"("cvars": {"r.BloomQuality": 0})", true);
 	std::vector<FLight> Truth;
@@ -213,7 +208,7 @@ TEST(TemporalAARun, ACutForgetsWhatWasBefore)
 	Scene.Run(10,
 		[&](int Number, const FRunResult& Result)
 		{
-			if (Number == FindScene("cut").CutFrame)
+			if (Number == FindJitteredScene("cut")->CutFrame)
 			{
 				// As a first frame: the same frame alone, without history.
 				FRunSession Alone(Scene.Options);
