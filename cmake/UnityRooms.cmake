@@ -1,5 +1,5 @@
 # Unity builds by room: a few files of one folder are compiled as one unit, so that the headers which they share are read
-# once. Names in anonymous namespaces are therefore distinct within a room. The preset `debug` compiles each file alone.
+# once. Tools are units of their own (Tools.cmake). Names in anonymous namespaces are therefore distinct within a room. The preset `debug` compiles each file alone.
 
 # How many files one unit has at most: an edit of one of them compiles them all.
 set(DRYDOCK_UNITY_FILES 10)
@@ -14,17 +14,19 @@ function(drydock_unite_rooms Target)
 	set_source_files_properties(${PROJECT_SOURCE_DIR}/pipeline/Program/ArgumentParser.cpp PROPERTIES
 		SKIP_UNITY_BUILD_INCLUSION ON)
 	get_target_property(Sources ${Target} SOURCES)
-	set(LastRoom "")
 	foreach(Source IN LISTS Sources)
 		cmake_path(RELATIVE_PATH Source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE Room)
-		string(REGEX MATCH "^(rdg/(core|graph|shader/Spirv|shader)/[^/.]+/|[^/]+(/[^/.]+/)?)" Room ${Room})
-		string(MAKE_C_IDENTIFIER ${Room} Room)
-		if(NOT Room STREQUAL LastRoom)
-			set(LastRoom ${Room})
-			set(Count 0)
+		set(Tools "")
+		if(Room MATCHES "${DRYDOCK_TOOL_FILES}")
+			set(Tools Tools)
 		endif()
-		math(EXPR Part "${Count} / ${DRYDOCK_UNITY_FILES} + 1")
-		math(EXPR Count "${Count} + 1")
+		string(REGEX MATCH "^(rdg/(core|graph|shader/Spirv|shader)/[^/.]+/|[^/]+(/[^/.]+/)?)" Room ${Room})
+		string(MAKE_C_IDENTIFIER "${Room}${Tools}" Room)
+		if(NOT DEFINED Count_${Room})
+			set(Count_${Room} 0)
+		endif()
+		math(EXPR Part "${Count_${Room}} / ${DRYDOCK_UNITY_FILES} + 1")
+		math(EXPR Count_${Room} "${Count_${Room}} + 1")
 		set_source_files_properties(${Source} PROPERTIES UNITY_GROUP ${Room}_${Part})
 	endforeach()
 endfunction()

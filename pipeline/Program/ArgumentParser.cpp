@@ -68,7 +68,7 @@ void AddVerb(CLI::App& Program, const FVerb& Verb, int& ExitCode)
 	CLI::App* const Added = Above->add_subcommand(Name, Verb.Doc);
 	Added->footer(ListExamples(Verb.Name));
 	FVerbOptions Options(Added);
-	if (const FVerbCall Call = Verb.AddOptions(Options))
+	if (const FVerbCall Call = Verb.AddOptions != nullptr ? Verb.AddOptions(Options) : nullptr)
 	{
 		Added->callback([&ExitCode, Call] { ExitCode = Call(); });
 	}

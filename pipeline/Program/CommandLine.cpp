@@ -106,10 +106,8 @@ void PrintMessages(const std::vector<FDiagnostic>& Diagnostics)
 	std::fflush(stdout);
 }
 
-int ExplainArguments(
-	const FArgumentParser& Parser, const std::vector<std::string>& Arguments, const std::string& Otherwise)
+int TellMistake(const std::vector<std::string>& Arguments, const std::string& Mistake)
 {
-	const std::string Mistake = ExplainMistake(Parser.Read(), Arguments, Otherwise);
 	PrintText(stderr, "drydock: " + Mistake + "\nTry drydock --help.\n");
 	if (Contains(Arguments, "--json"))
 	{
@@ -163,11 +161,17 @@ int CallProgram(const std::vector<std::string>& Arguments)
 		PrintText(stderr, "drydock: a verb is missing\n\n" + MakeOverview());
 		return ExitUsage;
 	}
+	if (const FVerb* const Verb = FindItem(GetVerbs(), Arguments[0], &FVerb::Name);
+		Verb != nullptr && Verb->AddOptions == nullptr)
+	{
+		return TellMistake(Arguments, "this build leaves " + Arguments[0] + " out: `./dev " + Arguments[0] +
+										  "`, or cmake -DDRYDOCK_TOOLS=ON, builds it");
+	}
 	FArgumentParser Program = MakeProgram();
 	const FParsedArguments Parsed = ParseArguments(Program, Arguments);
 	if (Parsed.Parsed == EParsed::Mistaken)
 	{
-		return ExplainArguments(Program, Arguments, Parsed.Text);
+		return TellMistake(Arguments, ExplainMistake(Program.Read(), Arguments, Parsed.Text));
 	}
 	PrintText(stdout, FitLines(Parsed.Text, GetHelpWidth()));
 	FlushOutput();

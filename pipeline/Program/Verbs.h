@@ -48,12 +48,15 @@ struct FVerb
 	EVerbGroup Group;
 	const char* Doc; // one line of --help, of 66 characters at most
 
-	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. */
+	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. Null for
+	 * a tool that this build leaves out. */
 	FVerbCall (*AddOptions)(FVerbOptions& Verb);
 };
 
 #define DRYDOCK_VERB(Name, Group, AddOptions, Doc) FVerbCall AddOptions(FVerbOptions& Verb);
+#define DRYDOCK_TOOL DRYDOCK_VERB
 #include "Program/VerbTable.inl"
+#undef DRYDOCK_TOOL
 #undef DRYDOCK_VERB
 
 /** All verbs, in the order of VerbTable.inl. */

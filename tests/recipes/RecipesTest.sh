@@ -42,7 +42,7 @@ done
 BuildTarget() { cmake --build "$Work/build" --target "$1" >>"$Work/build.log" 2>&1 || { tail -n 40 "$Work/build.log" >&2; Fail "it does not build"; }; }
 : >"$Work/build.log"
 cmake -S "$Tree" -B "$Work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -DNDEBUG" \
-	-DDRYDOCK_INSTRUCTION_SETS=native -DDRYDOCK_BUILD_TESTS=OFF -DDRYDOCK_BUILD_BENCH=OFF >"$Work/configure.log"
+	-DDRYDOCK_INSTRUCTION_SETS=native -DDRYDOCK_TOOLS=OFF -DDRYDOCK_BUILD_TESTS=OFF -DDRYDOCK_BUILD_BENCH=OFF >"$Work/configure.log"
 BuildTarget drydock_rdg
 cp --remove-destination "$(realpath "$Build/lib/libdrydock_rdg.so")" "$(realpath "$Work/build/lib/libdrydock_rdg.so")"
 mkdir -p "$Work/build/share/drydock"

@@ -127,7 +127,7 @@ TEST_F(DrydockProgram, EveryVerbsFileIsInTheHelpAndOnThePageOfVerbs)
 				<< File << ": VerbTable.inl has no row of it";
 		}
 	}
-	const std::regex Row("\nDRYDOCK_VERB\\(\"(\\w+ )?(\\w+)\"");
+	const std::regex Row("\nDRYDOCK_(?:VERB|TOOL)\\(\"(\\w+ )?(\\w+)\"");
 	std::sregex_iterator Verb(Table.begin(), Table.end(), Row);
 	EXPECT_NE(std::sregex_iterator(), Verb);
 	for (; Verb != std::sregex_iterator(); ++Verb)
