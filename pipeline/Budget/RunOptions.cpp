@@ -6,6 +6,8 @@
 namespace Drydock
 {
 
+DRYDOCK_DEFINE_COPIES(FRunOptions)
+
 std::string GetDefaultOutputFolder(const std::string& ConfigFile)
 {
 	return (std::filesystem::path("out") / std::filesystem::path(ConfigFile).stem()).string();

@@ -29,6 +29,8 @@ struct FPassWrites;
 
 struct FRunOptions
 {
+	DRYDOCK_DECLARE_COPIES(FRunOptions)
+
 	std::string ConfigFile;
 	std::optional<std::string> ConfigText; // read in place of the file; paths are still relative to ConfigFile
 	std::vector<std::string> Variables;    // "r.Name=Value" (--set), beat the config's

@@ -8,6 +8,8 @@
 namespace Drydock
 {
 
+DRYDOCK_DEFINE_COPIES(FConfig)
+
 const FEngineProfile& FConfig::GetEngineProfile() const
 {
 	const FEngineProfile* const Row = FindEngineProfile(Engine.Value);

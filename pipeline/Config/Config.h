@@ -155,6 +155,8 @@ struct FConfigOverlay
 
 struct FConfig
 {
+	DRYDOCK_DECLARE_COPIES(FConfig)
+
 	std::string File; // as given on the command line
 	TConfigValue<std::string> Engine{GetDefaultEngineProfile().GetVersion(), {}};
 	std::vector<TConfigValue<std::string>> Plugins; // as written; see Resolve

@@ -94,6 +94,8 @@ struct FRunTimes
 
 struct FRunResult
 {
+	DRYDOCK_DECLARE_COPIES(FRunResult)
+
 	FConfig Config;
 	std::vector<FDiagnostic> Diagnostics; // warnings; errors are thrown
 	FRDGCompiledGraph Graph;

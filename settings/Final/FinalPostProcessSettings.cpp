@@ -8,6 +8,9 @@
 
 #include <algorithm>
 
+DRYDOCK_DEFINE_COPIES(FPostProcessSettings)
+DRYDOCK_DEFINE_COPIES(FFinalPostProcessSettings)
+
 namespace Drydock
 {
 

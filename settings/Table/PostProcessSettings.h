@@ -21,6 +21,8 @@ using FLensFlareTints = FLinearColor[8];
  * is set. A new object holds the engine's defaults and overrides nothing. */
 struct FPostProcessSettings
 {
+	DRYDOCK_DECLARE_COPIES(FPostProcessSettings)
+
 #define DRYDOCK_SETTING(Type, Name, Default, Range, Unit, Category, Blend, Doc) uint8 bOverride_##Name : 1 = 0;
 #define DRYDOCK_SETTING_BIT(Type, Name, Bit, Default, Range, Unit, Category, Blend, Doc) uint8 bOverride_##Bit : 1 = 0;
 #include "PostProcessSettingsTable.h"
@@ -144,6 +146,8 @@ private:
  * which each has one value, it holds what cannot be merged into one: lists of contributions. */
 struct FFinalPostProcessSettings : public FPostProcessSettings
 {
+	DRYDOCK_DECLARE_COPIES(FFinalPostProcessSettings)
+
 	struct FCubemapEntry
 	{
 		/** Tint * intensity * weight, summed over all that name the cubemap. */
