@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Carries out two recipes of docs/architecture.md on a scratch copy of the tree: an effect with a setting (Posterize) and a
 # verb (Hello). Copies their files in, adds their rows, builds the program and looks for both where a person would. The
-# recipes touch nothing of rdg, so that its library is BUILD's.
+# recipes touch nothing of rdg, so that its library is BUILD's. They touch no tool, so that none is built.
 #
 #   RecipesTest.sh BUILD SOURCE WORK
 set -euo pipefail
@@ -66,4 +66,9 @@ Expect "$("$Drydock" explain "$Tree/configs/posterize.json" --effect Posterize)"
 Expect "$(cat with/run.json)" '"name": "Posterize", "active": true'
 Expect "$("$Drydock" --help)" 'hello +Greet somebody'
 [ "$("$Drydock" hello --name drydock)" = "hello drydock" ] || Fail "the verb does not greet"
+# This build leaves the tools out, as a first ./dev run does: it says how they are had.
+Code=0
+Said=$("$Drydock" study "$Tree/configs/posterize.json" 2>&1) || Code=$?
+[ $Code = 2 ] || Fail "study, which is not built, ended with $Code"
+Expect "$Said" 'this build leaves study out: `./dev study`'
 echo "RecipesTest: Posterize was added in $(cd "$Here/Posterize" && find . -type f ! -name rows.txt | wc -l) new files and $(grep -vc '^#' "$Here/Posterize/rows.txt") rows"
