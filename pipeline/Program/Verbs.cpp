@@ -16,9 +16,9 @@ const std::vector<FVerb>& GetVerbs()
 	static const std::vector<FVerb> Verbs = {
 #define DRYDOCK_VERB(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, AddOptions},
 #if DRYDOCK_TOOLS
-	#define DRYDOCK_TOOL DRYDOCK_VERB
+#define DRYDOCK_TOOL DRYDOCK_VERB
 #else
-	#define DRYDOCK_TOOL(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, nullptr},
+#define DRYDOCK_TOOL(Name, Group, AddOptions, Doc) {Name, EVerbGroup::Group, Doc, nullptr},
 #endif
 #include "Program/VerbTable.inl"
 #undef DRYDOCK_TOOL

@@ -48,8 +48,8 @@ struct FVerb
 	EVerbGroup Group;
 	const char* Doc; // one line of --help, of 66 characters at most
 
-	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. Null for
-	 * a tool that this build leaves out. */
+	/** Adds the options, which the returned call owns. The call is empty for a verb that has only verbs under it. Null
+	 * for a tool that this build leaves out. */
 	FVerbCall (*AddOptions)(FVerbOptions& Verb);
 };
 

@@ -136,15 +136,17 @@ public:
 	/** undo, redo or reset. */
 	FAnswer Change(const char* Name, const FJson& Value = true) const { return Post("/api/edit", {{Name, Value}}); }
 
-	/** The state's frame, once it is there; a fault of the state ends the wait. A fault stays until the next frame is there,
-	 * so that only its revision says which state it is of. */
+	/** The state's frame, once it is there; a fault of the state ends the wait. A fault stays until the next frame is
+	 * there, so that only its revision says which state it is of. */
 	FJson WaitForFrame() const
 	{
 		for (int Try = 0; Try < 6000; ++Try)
 		{
 			const FJson Now = State();
 			const auto IsOfNow = [&](const char* Member)
-			{ return !Now[Member].is_null() && Now[Member]["revision"] == Now["revision"]; };
+			{
+				return !Now[Member].is_null() && Now[Member]["revision"] == Now["revision"];
+			};
 			if (IsOfNow("fault") || IsOfNow("frame"))
 			{
 				return Now;
