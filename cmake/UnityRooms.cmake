@@ -1,5 +1,6 @@
 # Unity builds by room: a few files of one folder are compiled as one unit, so that the headers which they share are read
-# once. Tools are units of their own (Tools.cmake). Names in anonymous namespaces are therefore distinct within a room. The preset `debug` compiles each file alone.
+# once. Names in anonymous namespaces are therefore distinct within a room. Tools are units of their own (Tools.cmake). The
+# preset `debug` compiles each file alone.
 
 # How many files one unit has at most: an edit of one of them compiles them all.
 set(DRYDOCK_UNITY_FILES 10)
