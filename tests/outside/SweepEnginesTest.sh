@@ -109,7 +109,7 @@ Until 60 "two idle nodes" AreIdle
 Done() { "$Drydock" sweep status "$1" --json | jq .done; }
 IsMid() { local Now; Now=$(Done "$1"); [ "$Now" -ge 1 ] && [ "$Now" -lt 7 ]; }
 IsQueueEmpty() { local Jobs; Jobs=$(squeue -h) && [ -z "$Jobs" ]; }
-# The queue is empty, or has been the same for a minute, with no node that is yet to be seen.
+# The queue is empty, or has not changed for a minute.
 StillJobs="" StillSince=$SECONDS
 IsQueueStill() {
 	local Jobs
@@ -118,18 +118,18 @@ IsQueueStill() {
 	[ "$Jobs" = "$StillJobs" ] || { StillJobs=$Jobs StillSince=$SECONDS; }
 	[ $((SECONDS - StillSince)) -ge 60 ]
 }
-# The controller has written which jobs there are since FILE.
+# The controller has written its jobs to disk since FILE was written.
 IsRecorded() { [ ctld/job_state -nt "$1" ]; }
 Submit() {
 	Plan "$1"
 	"$Drydock" sweep submit "$1" --engine slurm --shards 8 >"$1.log" 2>&1 || Fail "submit $1"
 	cat "$1.log"
 }
-# A controller that was killed has lost what it had not yet written: the jobs of the last seconds, which it forgets, or starts
-# a second time under an id that a node still holds, and then waits for without end. A user clears the queue and submits
-# again, and so does this.
+# Expect NAME END: END becomes true, and the folder NAME holds what every engine leaves. A killed controller forgets jobs of
+# its last seconds, and may wait without end for a job that a node has under the same id. A user cancels what is left and
+# submits again, and so does this.
 Expect() {
-	Until 300 "the end of $1" IsQueueStill
+	Until 300 "the end of $1" "$2"
 	if [ "$(Done "$1")" -lt 8 ] || ! IsQueueEmpty; then
 		scancel --user="$User"
 		Until 120 "an empty queue" IsQueueEmpty
@@ -150,7 +150,7 @@ printf 'killed the daemon of n2 with %s of 8 tasks done\n' "$(Done node)"
 kill -KILL "$Node"
 sleep 2
 StartNode n2
-Expect node
+Expect node IsQueueEmpty
 
 Until 60 "two idle nodes" AreIdle
 scontrol update PartitionName=all State=DOWN # jobs wait until the controller's record has them
@@ -162,5 +162,5 @@ printf 'killed the controller with %s of 8 tasks done\n' "$(Done controller)"
 kill -KILL "$Controller"
 sleep 2
 StartController
-Expect controller
+Expect controller IsQueueStill # its queue may need a hand
 echo "local, parallel and two runs by Slurm: the same bytes, nothing twice"
